@@ -33,7 +33,8 @@ bool previous_frame_hides(const Params& params) {
 bool has_only_cleared_code(const Params& params, const Derived& derived, const Scene& scene) {
     Params with_less = params;
     with_less.depth.func = CompareFunc::less;
-    with_less.depth.clear = with_less.depth.write_while_clearing = true;
+    with_less.depth.clear = with_less.depth.write_while_clearing = with_less.depth.reversed_clear = true;
+    with_less.depth.clear_value = 1.0;
     const double start = start_of_cleared_code(with_less);
     if (!(start < params.projection.far)) return false;
     const glm::dvec4 towards_eye = glm::transpose(derived.view_from_world)[2];
@@ -69,10 +70,10 @@ bool loses_part(const PlanePatch& patch, const Params& params, const Derived& de
 }
 
 bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene) {
-    const std::array<glm::dvec4, 4> sides = forms_of_sides(clip_from_world);
-    return may_reach(scene, sides) ||
+    const std::vector<glm::dvec4> frustum = forms_of_frustum(clip_from_world);
+    return may_reach(scene, frustum) ||
            std::any_of(derived.planes.begin(), derived.planes.end(),
-                       [&](const DerivedPlane& plane) { return may_reach(plane.patch, sides); });
+                       [&](const DerivedPlane& plane) { return may_reach(plane.patch, frustum); });
 }
 
 }  // namespace viewing

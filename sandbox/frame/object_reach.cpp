@@ -13,6 +13,7 @@
 #include "frame/box_form.h"
 #include "frame/box_tree.h"
 #include "geometry/convex_part.h"
+#include "geometry/ray.h"
 
 namespace viewing {
 namespace {
@@ -128,23 +129,27 @@ bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-/// Returns whether a point of the plane is in the patch and is not cut off by near or far.
+/// Returns whether a point of the plane is in the patch and, for an image, is not cut off by near. Where far cuts it
+/// off, it cuts off its image, too, which is farther.
 bool holds(const Landing& landing, const glm::dvec4& sent) {
     if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
+    if (!landing.is_image) return true;
     const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
-    return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
+    return !(clip.w > 0.0) || clip.z >= -clip.w;
 }
 
-/// Returns whether any vertex of an object lands inside the patch or, if `inside` is false, whether any vertex does
-/// not: it lands outside the patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, the
-/// vertex must also land in the picture.
+/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands beside the
+/// patch, where near cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
+/// picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {
         if (glm::dot(landing.side, point) < -standing) return false;
         const glm::dvec4 sent = landing.plane_from_world * point;
         if (holds(landing, sent) != inside) return false;
-        return !in_picture ||
-               (sent.w > 0.0 && is_in_picture(landing.clip_from_world * (sent / sent.w)) && !landing.hides(sent));
+        if (!in_picture) return true;
+        if (!(sent.w > 0.0)) return false;
+        const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
+        return (landing.is_image ? is_in_picture(clip) : is_in_frustum(clip)) && !landing.hides(sent);
     };
     const BoxForm w(glm::transpose(landing.plane_from_world)[3], object.world_from_model);
     const BoxForm before(landing.side, object.world_from_model);
@@ -164,7 +169,46 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
     return any_vertex(object, may_hold, is_there);
 }
 
-/// A mesh's part in the picture. Lengths are fractions of the picture's height.
+/// Returns the area of a polygon in normalized device coordinates.
+double area_in_picture(const glm::dmat4& clip_from_world, const std::vector<glm::dvec3>& corners) {
+    std::vector<glm::dvec2> at;
+    for (const glm::dvec3& corner : corners) {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(corner, 1.0);
+        at.push_back(glm::dvec2(clip) / clip.w);
+    }
+    double twice = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const glm::dvec2 &here = at[i], &next = at[(i + 1) % at.size()];
+        twice += here.x * next.y - next.x * here.y;
+    }
+    return 0.5 * std::abs(twice);
+}
+
+/// Returns whether an object is between near and a point of the picture.
+bool is_covered(const Params& params, const Derived& derived, const Scene& scene, const glm::dvec3& point_world) {
+    constexpr double least = 1e-4;  // surfaces that touch the point do not cover it
+    const glm::dvec3 way = -line_of_sight(derived.eye_world, point_world);
+    const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
+    const double limit = (glm::dot(distance, glm::dvec4(point_world, 1.0)) - params.projection.near) /
+                         -glm::dot(distance, glm::dvec4(way, 0.0));
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+        if (glm::determinant(object.world_from_model) == 0.0) return false;
+        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
+        const Ray ray{glm::dvec3(model_from_world * glm::dvec4(point_world, 1.0)), glm::dmat3(model_from_world) * way};
+        const Mesh& mesh = *object.mesh;
+        return triangle_tree(object.mesh)
+            ->any([&](const Bounds& box) { return meets_box(ray, box, limit); },
+                  [&](std::uint32_t triangle) {
+                      std::array<glm::dvec3, 3> corners;
+                      for (std::size_t k = 0; k < 3; ++k)
+                          corners[k] = mesh.positions[mesh.indices[3 * std::size_t{triangle} + k]];
+                      const std::optional<TriangleHit> hit = intersect_triangle(ray, corners);
+                      return hit && hit->t > least && hit->t < limit;
+                  });
+    });
+}
+
+/// A mesh's part in the picture. Lengths are shares of the picture's height.
 struct Drawn {
     double area = 0.0;    ///< of all its triangles, whether or not they hide each other
     double length = 0.0;  ///< the diagonal of its bounds
@@ -243,8 +287,15 @@ bool lands_beyond(const Scene& scene, const Landing& landing) {
         std::vector<glm::dvec4> forms = {glm::transpose(landing.plane_from_world)[3], landing.side};
         forms.back().w += standing;
         for (const glm::dvec4& side : forms_of_sides(clip)) forms.push_back(side);
-        for (const glm::dvec4& edge : forms_of_edges(landing.plane_from_world, landing.patch)) {
-            forms.push_back(-edge);
+        const std::array<glm::dvec4, 4> edges = forms_of_edges(landing.plane_from_world, landing.patch);
+        std::vector<glm::dvec4> ends(edges.begin(), edges.end());
+        const glm::dmat4 rows = glm::transpose(clip);
+        if (landing.is_image)
+            ends.push_back(rows[3] + rows[2]);
+        else
+            forms.insert(forms.end(), {rows[3] + rows[2], rows[3] - rows[2]});
+        for (const glm::dvec4& end : ends) {
+            forms.push_back(-end);
             const auto is_seen = [&](const std::vector<glm::dvec4>& part) {
                 const glm::dvec4 middle = std::accumulate(part.begin(), part.end(), glm::dvec4(0.0));
                 return !landing.hides(landing.plane_from_world * (object.world_from_model * middle));
@@ -274,6 +325,14 @@ std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world) {
     return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
 }
 
+std::vector<glm::dvec4> forms_of_frustum(const glm::dmat4& clip_from_world) {
+    const glm::dmat4 rows = glm::transpose(clip_from_world);
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(clip_from_world);
+    std::vector<glm::dvec4> forms(sides.begin(), sides.end());
+    forms.insert(forms.end(), {rows[3] + rows[2], rows[3] - rows[2]});
+    return forms;
+}
+
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms) {
     return any_part(object, forms, [](const std::vector<glm::dvec4>&) { return true; });
 }
@@ -296,6 +355,34 @@ bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
     for (const glm::dvec4& form : forms)
         keep_part(part, kept, [&form](const glm::dvec4& point) { return glm::dot(form, point); });
     return part.size() >= 3;
+}
+
+bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
+             const glm::dmat4& place_from_world) {
+    constexpr double least_area = 0.5 * 4.0 / (400.0 * 240.0);  // in normalized device coordinates
+    const bool covers_nothing = (params.cull.enabled && params.cull.face == CullFace::front_and_back) ||
+                                (params.reflection.enabled && params.reflection.after_objects);
+    double area = 0.0;
+    const auto take = [&](const SceneObject& object, const std::vector<glm::dvec4>& part) {
+        std::vector<glm::dvec3> places;
+        for (const glm::dvec4& corner : part) {
+            const glm::dvec4 place = place_from_world * object.world_from_model * corner;
+            places.push_back(glm::dvec3(place) / place.w);
+        }
+        const glm::dvec3 middle =
+            std::accumulate(places.begin(), places.end(), glm::dvec3(0.0)) / static_cast<double>(places.size());
+        const bool is_seen = covers_nothing || std::any_of(places.begin(), places.end(), [&](const glm::dvec3& corner) {
+                                 return !is_covered(params, derived, scene, glm::mix(middle, corner, 0.9));
+                             });
+        if (is_seen) area += area_in_picture(derived.clip_from_world, places);
+        return area > least_area;
+    };
+    return !is_clear_of_any(scene, forms) &&
+           std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+               return any_part(object, forms, [&](const std::vector<glm::dvec4>& part) {
+                   return part.size() >= 3 && take(object, part);
+               });
+           });
 }
 
 bool is_too_thin(const SceneObject& object, const Derived& derived) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "frame/derive.h"
 #include "state/scene.h"
@@ -41,6 +42,7 @@ struct Landing {
     const PlanePatch& patch;
     /// Points of the plane that something covers count as outside the picture; null: no point is covered.
     std::function<bool(const glm::dvec3&)> is_covered = nullptr;
+    bool is_image = false;  ///< lies beyond the plane: where near cuts the patch off, it counts as outside
 
     /// Returns whether a homogeneous point of the plane, with w > 0, is covered.
     bool hides(const glm::dvec4& sent) const { return is_covered && is_covered(glm::dvec3(sent) / sent.w); }
@@ -64,8 +66,11 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 /// respectively.
 std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 
-/// Returns whether all forms, at most 32, are positive on part of some triangle of an object. For a mesh of more than
-/// 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
+/// Returns the same and two more, which are positive between near and far.
+std::vector<glm::dvec4> forms_of_frustum(const glm::dmat4& clip_from_world);
+
+/// Returns whether part of a triangle of an object is where all forms, at most 32, are positive. For a mesh of more
+/// than 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
 
 /// Returns whether any object may reach a point where all forms are positive. Visits no mesh if the scene's bounds rule
@@ -78,6 +83,12 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 
 /// Returns whether all forms are positive on part of a patch.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
+
+/// Returns whether the eye may see more than half a pixel of a shadow or an image: `place_from_world` sends the parts
+/// of the surfaces where all forms are positive to places in the picture (w > 0) that no object covers. Objects that
+/// are drawn before the planes, or culled, cover nothing.
+bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
+             const glm::dmat4& place_from_world);
 
 /// Returns whether a mesh from a file is thinner than a pixel: its area in the picture, divided by its length there, is
 /// less than 1/2000 of the picture's height. False for large meshes, and if part of the mesh is behind the eye.

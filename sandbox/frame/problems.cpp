@@ -7,7 +7,9 @@
 #include "frame/depth/depth_switches.h"
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
+#include "frame/planes/drawn_mirrors.h"
 #include "frame/say.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {
@@ -208,36 +210,74 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
             (is_less && derived.has_distances && has_only_cleared_code(params, derived, scene)));
 }
 
-/// Drops problems that cannot be seen while the depth test rejects the objects. Without the receiver's mask, a shadow
-/// beyond its patch is still drawn where it is nearer than the depths of the previous frame. A mirror that is drawn
-/// last is not tested, and where depth is cleared for its image, nearer fragments pass.
-void drop_unseen(std::vector<Problem>& problems, const Params& params) {
-    const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
-                               !params.shadow.clip_to_receiver;
-    const bool shows_images = params.reflection.after_objects && wants_nearer(params.depth);
+/// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
+/// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
+/// not tested, so it shows the mistakes of V and P, and where depth is cleared for its image, nearer fragments pass.
+void drop_unseen(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    const DepthParams& depth = params.depth;
+    const ReflectionParams& reflection = params.reflection;
+    const bool rejects = rejects_all(depth),
+               shows_last = reflection.enabled && reflection.after_objects && !drawn_mirrors(params, derived).empty(),
+               is_untested = params.shadow.offset == ShadowOffset::no_depth_test,
+               shows_shadows = params.shadow.enabled && !params.shadow.clip_to_receiver &&
+                               (is_untested || (hides_next_frame(depth) && !rejects)),
+               shows_images = reflection.after_objects && wants_nearer(depth);
     std::erase_if(problems, [&](const Problem& problem) {
         if (problem.kind == ProblemKind::worth_knowing) return false;
+        if (shows_last && (problem.group == "projection" || problem.id == "shadow.by_rows")) return false;
         if (problem.group == "reflection")
-            return !shows_images && !(params.reflection.after_objects && problem.id == "reflection.covers_objects");
+            return !shows_images && !(reflection.after_objects && problem.id == "reflection.covers_objects");
+        if (reflection.enabled && !rejects && (problem.id == "shadow.shared_stencil" || problem.id == "shadow.by_rows"))
+            return false;
         return !shows_shadows;
     });
 }
 
-/// Removes the fixes that may change nothing until another fix is applied: the fixes for mirror images while planes
-/// that share a stencil value are drawn over each other, and all fixes while the surfaces of the previous frame are
-/// rejected. The sentences about clearing and about GL_NOTEQUAL keep their fixes.
+bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
+    return std::any_of(problems.begin(), problems.end(), [id](const Problem& problem) { return problem.id == id; });
+}
+
+/// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
+/// value are drawn over each other, the mirror's own depth of this or the previous frame hides them, or far cuts them
+/// off, clipping while the mirror covers whatever is in front, those of shadows while an offset pushes them behind
+/// their planes or a wrong R misplaces them, and all others while what was drawn in the previous frame is rejected. The
+/// sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
-    const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
-        return problem.id == "reflection.shared_stencil";
-    });
+    const DepthParams& depth = params.depth;
+    const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,
+               is_overdrawn = has_problem(problems, "reflection.shared_stencil"),
+               is_pushed =
+                   has_problem(problems, "shadow.pushed_away") || has_problem(problems, "depth.reversed_offset"),
+               is_misplaced = has_problem(problems, "reflection.by_rows") ||
+                              has_problem(problems, "reflection.plus_2ab") ||
+                              has_problem(problems, "reflection.normal_not_unit"),
+               is_masked = has_problem(problems, "reflection.hides_image"),
+               is_beyond_far = has_problem(problems, "view.image_beyond_far"),
+               is_hidden =
+                   lets_nearer_win(params) && depth.write && !clears_depth(depth) && !params.reflection.after_objects,
+               is_painted = tests && count_of_last_wins(depth) > 0,
+               is_rejected = tests && (rejects_previous_frame(depth) || hides_next_frame(depth));
+    const std::string clip = default_setting("reflection.clip");
+    const auto waits = [&](const Problem& problem) {
+        const bool is_about_clearing = problem.id == "depth.not_cleared" || problem.id == "depth.cleared_with_mask_off";
+        if (is_about_clearing) return tests && depth.func == CompareFunc::notequal;
+        if (is_rejected && problem.id != "depth.notequal") return true;
+        if (tests && rejects_all(depth) && (problem.id == "shadow.by_rows" || problem.id == "shadow.shared_stencil"))
+            return true;
+        if (is_pushed && problem.id != "shadow.pushed_away" && problem.id != "shadow.beyond_edge" &&
+            (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
+            return true;
+        if (is_painted && problem.fixed_by == clip) return true;
+        if (is_beyond_far && problem.group == "reflection") return true;
+        if (is_masked && problem.group == "reflection" && problem.id != "reflection.hides_image") return true;
+        if ((is_misplaced || has_problem(problems, "shadow.fights")) && problem.id == "reflection.no_shadows_inside")
+            return true;
+        if (is_pushed && problem.fixed_by.starts_with("depth.offset=")) return true;
+        return (is_overdrawn || is_hidden) && problem.group == "reflection" &&
+               problem.id != "reflection.shared_stencil";
+    };
     for (Problem& problem : problems)
-        if (is_overdrawn && problem.group == "reflection" && problem.id != "reflection.shared_stencil")
-            problem.fixed_by.clear();
-    if (params.visibility.method != VisibilityMethod::depth_buffer || !rejects_previous_frame(params.depth)) return;
-    for (Problem& problem : problems)
-        if (problem.id != "depth.not_cleared" && problem.id != "depth.cleared_with_mask_off" &&
-            problem.id != "depth.notequal")
-            problem.fixed_by.clear();
+        if (waits(problem)) problem.fixed_by.clear();
 }
 
 /// Removes the fixes that have no effect while V or P is entered by hand: the sentence about that matrix has the fix.
@@ -266,14 +306,14 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
         find_projection_problems(problems, params, derived, scene, by_hand.clip_from_view.has_value());
     find_light_problems(problems, params, derived, scene);
     find_plane_problems(problems, params, derived);
-    find_shadow_problems(problems, params, derived, scene);
+    find_shadow_problems(problems, params, derived, scene, frame);
     find_mirror_problems(problems, params, derived, scene, frame, images);
     find_by_hand_problems(problems, params, derived);
     if (hides_objects(params, derived, scene))
-        drop_unseen(problems, params);
+        drop_unseen(problems, params, derived);
     else if (derived.has_distances)
         find_cull_problems(problems, params, derived, scene, images);
-    find_depth_problems(problems, params, derived, scene, images);
+    find_depth_problems(problems, params, derived, scene, frame, images);
     drop_idle_fixes(problems, by_hand);
     drop_waiting_fixes(problems, params);
     Sayer(problems, "follow")(params.follow && !derived.followed,

@@ -51,11 +51,13 @@ void find_by_hand_problems(std::vector<Problem>& problems, const Params& params,
 
 /// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                         const Scene& scene, const std::vector<SeenImage>& images);
+                         const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images);
 void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                                 const Scene& scene, const std::vector<SeenImage>& images);
+/// Returns whether part of a shadow may be in the picture, directly or in a mirror.
+bool may_show_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame);
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene);
+                          const Scene& scene, const FramePlan& frame);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images);
 

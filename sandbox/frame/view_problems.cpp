@@ -161,7 +161,8 @@ void say_far(std::vector<Problem>& problems, const Params& params, const std::ve
         names.push_back(object_text(image.name));
         farthest = std::max(farthest, image.farthest);
     }
-    if (names.empty() || !shows_effects(params)) return;
+    // An R filled by rows changes w, so that far may cut off what is nearer.
+    if (names.empty() || farthest <= params.projection.far || !shows_effects(params)) return;
     Sayer(problems, group)
         .broken(true,
                 sentence("view.image_beyond_far",

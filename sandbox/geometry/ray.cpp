@@ -67,6 +67,21 @@ std::optional<TriangleHit> intersect_triangle(const Ray& ray, const std::array<g
     return TriangleHit{t, {1.0 - b - c, b, c}};
 }
 
+bool meets_box(const Ray& ray, const Bounds& box, double limit) {
+    double enter = 0.0, leave = limit;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ray.direction[axis] == 0.0) {
+            if (ray.origin[axis] < box.min[axis] || ray.origin[axis] > box.max[axis]) return false;
+            continue;
+        }
+        const double a = (box.min[axis] - ray.origin[axis]) / ray.direction[axis],
+                     b = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+}
+
 std::optional<MeshHit> intersect_mesh(const Ray& ray_in_model, const Mesh& mesh) {
     std::optional<MeshHit> nearest;
     for (std::size_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {

@@ -42,6 +42,9 @@ struct TriangleHit {
 /// that has no area or is seen edge-on. Source: Möller and Trumbore 1997.
 std::optional<TriangleHit> intersect_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& triangle);
 
+/// Returns whether the part 0 ≤ t < `limit` of a ray meets a box.
+bool meets_box(const Ray& ray, const Bounds& box, double limit);
+
 struct MeshHit {
     std::size_t triangle;  ///< its indices begin at mesh.indices[3 · triangle]
     double t;

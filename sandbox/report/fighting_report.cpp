@@ -21,7 +21,11 @@ Json share_as_json(const ShareInterval& share) {
 
 Json spread_as_json(const ShareSpread& spread) {
     if (spread.cameras == 0) return nullptr;
-    return {{"cameras", spread.cameras}, {"mean", spread.mean()}, {"least", spread.least}, {"most", spread.most}};
+    return {{"cameras", spread.cameras},
+            {"mean", spread.mean()},
+            {"standard_error", spread.standard_error()},
+            {"least", spread.least},
+            {"most", spread.most}};
 }
 
 Json pair_as_json(const CountedPair& counted, const FightingReport::Row& row) {

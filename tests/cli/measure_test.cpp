@@ -223,6 +223,8 @@ TEST_F(Measure, FightingHasEveryPairCountedAndPredicted) {
         EXPECT_GE(share, said["least"]);
         EXPECT_LE(share, said["most"]);
         EXPECT_EQ(trembling["cameras"], 12);
+        EXPECT_GE(trembling["standard_error"], 0.0);
+        EXPECT_LE(trembling["standard_error"], (trembling["most"].get<double>() - trembling["least"].get<double>()));
         EXPECT_GE(trembling["mean"], trembling["least"]);
         EXPECT_LE(trembling["mean"], trembling["most"]);
         EXPECT_EQ(share > 0.0, gap < pair["predicted_onset_gap"]);

@@ -286,6 +286,39 @@ TEST_F(Fighting, At24BitsIsPredictedOnlyWhenCertainAndVariesByCamera) {
     EXPECT_GT(at_24.most - at_24.least, 0.3) << "a single picture says little";
 }
 
+/// Where the formulas predict nothing, the window shows the mean of the jittered cameras. A camera that was not counted
+/// must see a share within 4 standard deviations of it, but for a few that see what is rare.
+TEST_F(Fighting, IsCountedWithItsSpreadWhereNothingIsPredicted) {
+    constexpr double rare = 0.03;  // a share that 12 cameras may not see
+    int checked = 0, changed = 0, outside = 0;
+    double widest = 0.0;
+    for (const char* const preset : {"depth-fighting", "fighting-decals", "fighting-decals-equal",
+                                     "fighting-offset-too-little", "fighting-reversed-clip-range"}) {
+        const auto [params, scene] = testing::preset_named(preset);
+        const Derived derived = derive_for(params, scene, fighting_px);
+        FightingReport report = fighting_report(count(params, scene), params, derived, scene, fighting_px);
+        ASSERT_TRUE(count_spread(report, renderer(), params, scene));
+        for (int fresh = 0; fresh < 4; ++fresh) {
+            const FightingCounts counts = count(trembling(params, spread_cameras + fresh), scene);
+            for (std::size_t i = 0; i < report.rows.size(); ++i) {
+                const ShareSpread& spread = report.rows[i].spread;
+                if (report.rows[i].predicted.wrong_share || counts.pairs[i].pixels == 0) continue;
+                ++checked;
+                changed += spread.deviation() > 0.0 ? 1 : 0;
+                widest = std::max(widest, 2.0 * spread.standard_error());
+                EXPECT_EQ(spread.cameras, spread_cameras);
+                const double away = std::abs(counts.pairs[i].wrong_fraction() - spread.mean());
+                outside += away > 4.0 * spread.deviation() + rare ? 1 : 0;
+            }
+        }
+    }
+    std::printf("%d shares without a prediction; 2 standard errors of a mean are at most %.2f\n", checked, widest);
+    EXPECT_GT(checked, 80);
+    EXPECT_GT(changed, 60);
+    EXPECT_LE(outside, checked / 50);
+    EXPECT_LT(widest, 0.35) << "narrow enough to teach";
+}
+
 /// With a gap just above the safe one, no pixel of the pair is wrong, even at its farthest corner.
 TEST_F(Fighting, HasNoWrongPixelAboveTheSafeGap) {
     Random random(seed);

@@ -83,15 +83,21 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
         sentence("depth.notequal", "GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
         alone("depth.func"));
     const bool is_closed = depth.func == CompareFunc::never || depth.func == CompareFunc::equal;
-    const bool has_codes = is_closed && !has_only_cleared_code(params, derived, scene);
+    const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
+    const bool has_codes = !((is_closed || wants_farther) && has_only_cleared_code(params, derived, scene));
     const char* const as_usual = clears_to_nearest(depth) ? "" : has_codes ? "depth.func" : "depth.func=lequal";
     tell.broken(depth.func == CompareFunc::never, sentence("depth.never", "GL_NEVER: no fragment passes"), as_usual);
-    const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     tell.broken(
-        wants_farther && rejects_all(depth),
+        depth.func == CompareFunc::greater && rejects_all(depth),
         sentence("depth.only_farther",
                  "only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
-        "depth.func");
+        as_usual);
+    tell.broken(
+        depth.func == CompareFunc::gequal && rejects_all(depth) && has_codes,
+        sentence("depth.only_farther",
+                 "only fragments at least as far as the stored depth pass, and nothing is farther than the depth that "
+                 "the buffer is cleared to: only what has its code is drawn"),
+        as_usual);
     tell.broken(depth.func == CompareFunc::equal && (has_codes || !is_cleared_to_farthest(depth)),
                 sentence("depth.equal", "GL_EQUAL: only fragments at exactly the stored depth pass"), as_usual);
     tell.broken(
@@ -113,19 +119,21 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
                                     "depth is cleared to {value} and farther fragments pass: the farthest surface wins",
                                     "value"_a = value));
     if (!wants_nearer(depth)) return;
+    const bool is_fixed =
+        depth.func != CompareFunc::less || !has_only_cleared_code(params, derived, scene);  // which it rejects, too
     if (clears_to_nearest(depth)) {
         if (is_reversed && !depth.reversed_clear)
             return tell.broken(true,
                                sentence("depth.reversed_clear",
                                         "reversed depth is 0 at the far plane, but the buffer is cleared to 1: nothing "
                                         "can be nearer, so nothing is drawn"),
-                               "depth.reversed_clear");
+                               is_fixed ? "depth.reversed_clear" : "");
         return tell.broken(true,
                            sentence("depth.clear_value",
                                     "glClearDepth({value}) is the nearest depth: nothing can be nearer, so nothing is "
                                     "drawn",
                                     "value"_a = value),
-                           "depth.clear_value");
+                           is_fixed ? "depth.clear_value" : "");
     }
     const double z = distance_of_window_depth(params.lens(), depth.mapping, cleared_depth(depth));
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
@@ -162,12 +170,13 @@ void say_clears(Sayer& tell, const Params& params, const Derived& derived, const
     const bool refuses_ties = depth.func != CompareFunc::lequal && depth.func != CompareFunc::gequal;
     const bool compares = wants_nearer(depth) || (compares_nearness(depth) && refuses_ties) ||
                           (depth.tests() && depth.func == CompareFunc::notequal);
-    if (!compares || rejects_all(depth) || !depth.write || is_covered_by_mirror(params, derived, scene) ||
+    const bool writes = depth.write || (params.reflection.enabled && params.reflection.mask_writes_depth);
+    if (!compares || rejects_all(depth) || !writes || is_covered_by_mirror(params, derived, scene) ||
         (depth.func == CompareFunc::less && has_only_cleared_code(params, derived, scene)))
         return;
-    // GL_LEQUAL passes the same surfaces again. It rejects only moving objects, and mirror images, because the depths
-    // of their mirrors hide them.
-    const bool shows = refuses_ties || params.reflection.enabled;
+    // GL_LEQUAL passes the same surfaces again: only what moves is hidden, and images, which mirrors hide unless they
+    // are drawn last.
+    const bool shows = refuses_ties || (params.reflection.enabled && !params.reflection.after_objects);
     const Sentence not_cleared =
         sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments");
     const char* const fix = depth.write_while_clearing ? "depth.clear" : "";
@@ -202,25 +211,28 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
         "depth.format");
 }
 
-/// Returns whether a polygon offset moves decals or shadows.
-bool has_offset(const Params& params, const Scene& scene) {
+/// Returns whether a polygon offset moves decals, or shadows that may be seen.
+bool has_offset(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
     const DepthParams& depth = params.depth;
     const ShadowParams& shadow = params.shadow;
     const bool moves_decals = depth.offset != DepthOffset{} && depth.decals == DecalMethod::offset && has_decals(scene);
     const bool moves_shadows = shadow.enabled && shadow.offset == ShadowOffset::polygon_offset &&
-                               (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0);
+                               (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0) &&
+                               may_show_shadows(params, derived, scene, frame);
     return moves_decals || moves_shadows;
 }
 
-void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                  const FramePlan& frame) {
     const DepthParams& depth = params.depth;
     tell.broken(
-        has_bent_depth(depth),
+        has_bent_depth(depth) && depth.tests() && depth.write && !rejects_all(depth),
         sentence("depth.logarithm_per_vertex",
                  "the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
                  "so the wrong surface can win"),
         "depth.logarithm_per_vertex");
-    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, scene),
+    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) &&
+             has_offset(params, derived, scene, frame),
          sentence(
              "depth.offset_in_shader",
              "the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
@@ -236,7 +248,8 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                        "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                        "float's fine steps near 0, so little is gained"));
     tell.broken(
-        !depth.reversed_offset && has_offset(params, scene) && compares_nearness(depth),
+        !depth.reversed_offset && has_offset(params, derived, scene, frame) && compares_nearness(depth) &&
+            !rejects_all(depth),
         sentence("depth.reversed_offset",
                  "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
                  "instead of pulling them nearer"),
@@ -299,7 +312,7 @@ void say_omissions(Sayer& tell, const Params& params) {
 }  // namespace
 
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                         const Scene& scene, const std::vector<SeenImage>& images) {
+                         const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
     if (params.visibility.method != VisibilityMethod::depth_buffer ||
@@ -312,7 +325,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     say_cleared_code(tell, params, derived, scene);
     find_coarse_depth_problems(problems, params, derived, scene, images);
     say_driver(tell, params.depth, derived.stored_depth.precision);
-    say_mappings(tell, params, derived, scene);
+    say_mappings(tell, params, derived, scene, frame);
     say_decals(tell, params, derived, scene);
 }
 

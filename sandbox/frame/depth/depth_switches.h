@@ -16,9 +16,14 @@ inline bool clears_to_farthest(const DepthParams& depth) {
     return cleared_depth(depth) == (depth.mapping == DepthMapping::reversed ? 0.0 : 1.0);
 }
 
+/// Returns whether glClear clears the depth buffer: it obeys the depth mask.
+inline bool clears_depth(const DepthParams& depth) {
+    return depth.clear && depth.write_while_clearing;
+}
+
 /// Returns whether every frame begins with the farthest depth everywhere.
 inline bool is_cleared_to_farthest(const DepthParams& depth) {
-    return depth.clear && depth.write_while_clearing && clears_to_farthest(depth);
+    return clears_depth(depth) && clears_to_farthest(depth);
 }
 
 /// Returns whether depth is computed only at the vertices and interpolated in between. Interpolated depth then does not
@@ -53,14 +58,13 @@ inline bool rejects_all(const DepthParams& depth) {
 /// Returns whether the depths left by an identical previous frame hide this frame completely.
 inline bool hides_next_frame(const DepthParams& depth) {
     const bool refuses_ties = depth.func == CompareFunc::less || depth.func == CompareFunc::greater;
-    return depth.tests() && refuses_ties && depth.write && !(depth.clear && depth.write_while_clearing);
+    return depth.tests() && refuses_ties && depth.write && !clears_depth(depth);
 }
 
 /// Returns whether GL_NOTEQUAL compares with the depths of the previous frame, and so rejects the surfaces that were
 /// drawn then.
 inline bool rejects_previous_frame(const DepthParams& depth) {
-    return depth.tests() && depth.func == CompareFunc::notequal && depth.write &&
-           !(depth.clear && depth.write_while_clearing);
+    return depth.tests() && depth.func == CompareFunc::notequal && depth.write && !clears_depth(depth);
 }
 
 /// Returns whether the depth test depends on which of two depths is nearer.

@@ -1,6 +1,7 @@
 #include "frame/depth/fighting_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "frame/animation.h"
 
@@ -35,8 +36,17 @@ std::int64_t FightingCounts::vanished() const {
 void ShareSpread::take(double share) {
     ++cameras;
     sum += share;
+    sum_of_squares += share * share;
     least = std::min(least, share);
     most = std::max(most, share);
+}
+
+double ShareSpread::deviation() const {
+    return cameras > 1 ? std::sqrt(std::max(sum_of_squares - sum * mean(), 0.0) / (cameras - 1)) : 0.0;
+}
+
+double ShareSpread::standard_error() const {
+    return cameras > 1 ? deviation() / std::sqrt(cameras) : 0.0;
 }
 
 Params trembling(const Params& state, int camera) {

@@ -40,8 +40,10 @@ struct FightingCounts {
 /// animation.jiggle. The depth codes at the pixels are practically random, so a single picture says little.
 struct ShareSpread {
     int cameras = 0;  ///< those that see pixels of the pair
-    double sum = 0.0, least = 1.0, most = 0.0;
+    double sum = 0.0, sum_of_squares = 0.0, least = 1.0, most = 0.0;
     double mean() const { return cameras > 0 ? sum / cameras : 0.0; }
+    double deviation() const;       ///< of one camera's share; 0 for fewer than two
+    double standard_error() const;  ///< of the mean
     void take(double share);
 };
 

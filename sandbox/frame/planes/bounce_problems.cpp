@@ -77,39 +77,22 @@ void find_bounce_problems(std::vector<Problem>& problems, const Params& params, 
                              "{depth} of {bounces} bounces are drawn: more would redraw the scene too often or exceed "
                              "the stencil's range",
                              "depth"_a = depth, "bounces"_a = params.reflection.bounces));
-    if (depth == 1) {
-        tell.broken(
-            is_endless,
-            sentence(
-                "reflection.endless",
-                "mirrors facing each other reflect endlessly: a mirror seen in a mirror is drawn without its image"),
-            "reflection.bounces=8");
-        tell(!is_endless && most < most_followed,
-             sentence("reflection.in_a_row",
-                      "a line of sight hits up to {count} mirrors in a row: a mirror "
-                      "seen in a mirror is drawn without its image",
-                      "count"_a = most));
-        tell(!is_endless && most == most_followed,
-             sentence(
-                 "reflection.in_a_row",
-                 "a line of sight hits mirrors again and again: a mirror seen in a mirror is drawn without its image"));
-    } else {
-        tell.broken(is_endless,
-                    sentence("reflection.endless",
-                             "mirrors facing each other reflect endlessly: the mirror after {depth} bounces is "
-                             "drawn without its image",
-                             "depth"_a = depth));
-        tell(!is_endless && most < most_followed,
-             sentence("reflection.in_a_row",
-                      "a line of sight hits up to {count} mirrors in a row: the mirror "
-                      "after {depth} bounces is drawn without its image",
-                      "count"_a = most, "depth"_a = depth));
-        tell(!is_endless && most == most_followed,
-             sentence("reflection.in_a_row",
-                      "a line of sight hits mirrors again and again: the mirror after "
-                      "{depth} bounces is drawn without its image",
-                      "depth"_a = depth));
-    }
+    const std::string lost =
+        depth == 1 ? tr("a mirror seen in a mirror") : say("the mirror after {depth} bounces", "depth"_a = depth);
+    if (is_endless)
+        return tell.broken(true,
+                           sentence("reflection.endless",
+                                    "mirrors facing each other reflect endlessly: {mirror} is drawn without its image",
+                                    "mirror"_a = lost),
+                           depth == 1 ? "reflection.bounces=8" : "");
+    tell(true,
+         most < most_followed
+             ? sentence("reflection.in_a_row",
+                        "a line of sight hits up to {count} mirrors in a row: {mirror} is drawn without its image",
+                        "count"_a = most, "mirror"_a = lost)
+             : sentence("reflection.in_a_row",
+                        "a line of sight hits mirrors again and again: {mirror} is drawn without its image",
+                        "mirror"_a = lost));
 }
 
 }  // namespace viewing

@@ -37,16 +37,26 @@ glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, co
 std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
                                        const glm::dmat4& clip_from_scene);
 
-/// Returns whether an object's image may be in the picture, according to the uploaded R or the right one. With several
-/// planes, always returns true, since the planes have images too.
+/// Returns whether part of an object may be drawn with this matrix, inside the picture and the mirror, and not covered.
+bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
+                    const glm::dmat4& clip_from_scene);
+
+/// Returns whether an object's image may be in the picture, by the uploaded R or by the right one. Other planes have
+/// images too: with several planes, one may always be.
 bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
 /// Returns whether a mirror's mask hides the mirror's image, which lies beyond the mirror unless the wrong side is
 /// mirrored. If the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
-/// Adds the errors of the masks, which keep each image inside its mirror, and each mirror at its correct depth among
-/// the objects.
+/// Returns whether it hides all of the image: no part is drawn in front of the mirror or with the codes of an oblique
+/// near plane.
+bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
+
+/// Returns whether part of a shadow may be seen in a mirror, on another plane's patch.
+bool may_mirror_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame);
+
+/// Adds errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
 void find_mask_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const std::vector<Mirror>& mirrors, const Scene& scene);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
+#include "frame/depth/depth_switches.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/object_reach.h"
 #include "frame/planes/drawn_mirrors.h"
@@ -16,7 +17,8 @@ bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirr
     const ReflectionParams& reflection = params.reflection;
     if (!lets_nearer_win(params) || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects)
         return false;
-    if (!reflection.side_of_eye && mirror.is_seen_from_behind()) return false;
+    const bool is_wrong_side = !reflection.side_of_eye && reflection.clip != MirrorClip::none;
+    if (is_wrong_side && mirror.is_seen_from_behind()) return false;
     const auto before =
         std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
     return std::all_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side == 0.0; }) &&
@@ -25,8 +27,34 @@ bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirr
 
 namespace {
 
-/// Returns the smallest gap, along the mirror's normal, that depth reliably resolves at an object's center, if that gap
-/// in eye distance is a visible fraction of the picture's height there; otherwise 0.
+/// Returns forms that are positive where the image lies in front of its mirror, as the picture shows it, by more than
+/// `standing`. Only without clipping, or with a wrong R or P, does part of an image lie there.
+std::vector<glm::dvec4> forms_in_front(const Params& params, const Derived& derived, const Mirror& mirror) {
+    Params in_patch = params;  // beside the patch, it is not this that lets the image show
+    in_patch.reflection.stencil = true;
+    std::vector<glm::dvec4> forms = forms_of_image(in_patch, derived, mirror, mirror.clip_from_scene);
+    forms.push_back(mirror.kept_side(params.reflection));
+    const glm::dmat4 clip = glm::transpose(mirror.clip_from_scene);
+    forms.insert(forms.end(), {clip[3] + clip[2], clip[3] - clip[2]});
+    forms.push_back(mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene));
+    forms.back().w -= standing;
+    return forms;
+}
+
+}  // namespace
+
+bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    if (!mask_hides(params, derived, mirror, scene) || params.reflection.clip == MirrorClip::oblique) return false;
+    const glm::dmat4 drawn_at = glm::inverse(derived.clip_from_world) * mirror.clip_from_scene;
+    std::vector<glm::dvec4> forms = forms_in_front(params, derived, mirror);
+    forms.push_back(glm::transpose(drawn_at)[3]);
+    return !may_see(params, derived, scene, forms, drawn_at);
+}
+
+namespace {
+
+/// Returns the gap, along the mirror's normal, that depth surely distinguishes at an object's center, if the gap in eye
+/// distance is a visible part of the picture's height there; otherwise 0.
 double coarse_gap(const Params& params, const Derived& derived, const Mirror& mirror, const SceneObject& object) {
     const Lens lens = params.lens();
     const glm::dvec3 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
@@ -41,11 +69,9 @@ double coarse_gap(const Params& params, const Derived& derived, const Mirror& mi
 /// alone decides.
 void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                    const Scene& scene) {
-    if (!lets_nearer_win(params)) return;
+    if (!lets_nearer_win(params) || !params.depth.write) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
     const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
-    Params in_patches = params;  // outside the patch, the image is visible for another reason
-    in_patches.reflection.stencil = true;
     for (const Mirror& mirror : mirrors) {
         if (is_oblique && may_show_image(params, derived, mirror, scene))
             return tell.broken(
@@ -54,16 +80,14 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                          "without the stencil, depth decides where the mirror covers its image, but the oblique near "
                          "plane gives the image different depths: it appears in front of the mirror"),
                 "reflection.stencil");
-        // An image is in front of its mirror only without clipping, or with a wrong R or P: its depth, at the pixel
-        // where it is seen, is then that of a point in front of the mirror.
-        const glm::dvec4 image_towards_eye =
-            mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene);
+        // Beyond the start of the cleared code, GL_LESS rejects the image.
+        glm::dvec4 before_cleared_code =
+            glm::transpose(derived.view_from_world * mirror.plane.mirrored_world_from_world)[2];
+        before_cleared_code.w += std::min(start_of_cleared_code(params), 2.0 * params.lens().shown_far());
         std::vector<std::string> in_front, touching;
         for (const SceneObject& object : scene.objects) {
-            std::vector<glm::dvec4> forms = forms_of_image(in_patches, derived, mirror, mirror.clip_from_scene);
-            forms.push_back(mirror.kept_side(params.reflection));
-            forms.push_back(image_towards_eye);
-            forms.back().w -= standing;
+            std::vector<glm::dvec4> forms = {before_cleared_code};
+            for (const glm::dvec4& form : forms_in_front(params, derived, mirror)) forms.push_back(form);
             const bool is_in_front = may_reach(object, forms);
             // An object hides the spot where it touches its image, unless the image is drawn elsewhere.
             const double gap = std::max(coarse_gap(params, derived, mirror, object), fits ? 0.0 : standing);
@@ -88,22 +112,40 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
     }
 }
 
+/// Returns forms that are positive in the picture, on one side of the mirror's plane, in front of the patch or behind
+/// it as the eye sees it.
+std::vector<glm::dvec4> forms_over_patch(const Derived& derived, const Mirror& mirror, const glm::dvec4& side) {
+    std::vector<glm::dvec4> forms = {side - glm::dvec4(0.0, 0.0, 0.0, standing)};
+    for (const glm::dvec4& side_of_view : forms_of_frustum(derived.clip_from_world)) forms.push_back(side_of_view);
+    const glm::dmat4 seen = seen_on_plane(mirror.plane.unit_plane, derived.eye_world);
+    for (const glm::dvec4& edge : forms_of_edges(seen, mirror.plane.patch)) forms.push_back(edge);
+    return forms;
+}
+
 /// Reports images outside their mirrors, and mirrors that cover too much.
 void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(scene, {on_mirror_from_scene(derived, mirror, mirror.clip_from_scene),
-                                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
+        return lands_beyond(scene, {.plane_from_world = on_mirror_from_scene(derived, mirror, mirror.clip_from_scene),
+                                    .clip_from_world = derived.clip_from_world,
+                                    .side = mirror.kept_side(reflection),
+                                    .patch = mirror.plane.patch,
+                                    .is_image = true});
     };
     const auto is_covered = [&](const Mirror& mirror) {
-        return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
-                                    mirror.towards_eye(), mirror.plane.patch});
+        return may_reach(scene, forms_over_patch(derived, mirror, mirror.towards_eye()));
     };
-    // Where depth hides the patch, the patch does not mark the stencil either.
-    const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return loses_part(mirror.plane.patch, params, derived);
-    });
+    const bool culls_all = params.cull.enabled && params.cull.face == CullFace::front_and_back,
+               is_blended_over = is_drawn_by_gl_alone(params.visibility.method) &&
+                                 (reflection.stencil || params.visibility.method == VisibilityMethod::none ||
+                                  count_of_last_wins(params.depth) > 0);
+    // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other
+    // depths.
+    const bool is_unmarked = reflection.clip == MirrorClip::oblique &&
+                             std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+                                 return loses_part(mirror.plane.patch, params, derived);
+                             });
     tell.broken(
         !reflection.stencil && (is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
         sentence("reflection.beyond_edge",
@@ -122,14 +164,34 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 sentence("reflection.no_planes_inside",
                          "without the stencil, the mirror image shows no other plane and no other mirror"),
                 "reflection.stencil");
-    tell.broken(reflection.after_objects && reflection.stencil && is_drawn_by_gl_alone(params.visibility.method) &&
+    tell.broken(reflection.after_objects && is_blended_over && !culls_all &&
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 sentence("reflection.covers_objects",
                          "the mirror is drawn last and without a depth test: it covers the objects in front of it"),
                 "reflection.after_objects");
 }
 
-/// Reports a mirror whose picture is cleared and drawn over earlier patches as well, because they share its stencil
+/// Reports objects behind a mirror that is blended over them, because it is drawn last and without the stencil, so its
+/// part of the picture is not cleared.
+void say_shown_through(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+                       const Scene& scene) {
+    if (!params.reflection.after_objects || params.reflection.stencil) return;
+    for (const Mirror& mirror : mirrors) {
+        const std::vector<glm::dvec4> forms = forms_over_patch(derived, mirror, -mirror.towards_eye());
+        std::vector<std::string> behind;
+        for (const SceneObject& object : scene.objects)
+            if (may_reach(object, forms)) behind.push_back(object_text(object.description.name));
+        if (!behind.empty())
+            return tell.broken(true,
+                               sentence("reflection.shows_through",
+                                        "the mirror is drawn last and blended: without the stencil, {objects} behind "
+                                        "it shows through",
+                                        "objects"_a = joined(behind)),
+                               "reflection.after_objects");
+    }
+}
+
+/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
 /// value.
 void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     if (params.shadow.own_stencil || !params.reflection.stencil) return;
@@ -157,6 +219,7 @@ void find_mask_problems(std::vector<Problem>& problems, const Params& params, co
                         const std::vector<Mirror>& mirrors, const Scene& scene) {
     Sayer tell(problems, "reflection");
     say_masks(tell, params, derived, mirrors, scene);
+    say_shown_through(tell, params, derived, mirrors, scene);
     say_shared_value(tell, params, derived, mirrors);
 }
 

@@ -51,11 +51,22 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                         "least"_a = least, "most"_a = most));
 }
 
-/// Returns whether a patch covers the image of its part behind a mirror: the patch is perpendicular to the mirror, so
-/// the image lies in the patch's own plane, and more than half of the patch is in front of the mirror.
-bool covers_own_image(const DerivedPlane& patch, const DerivedPlane& mirror, const glm::dvec4& side) {
+/// Returns whether the last mirror on the way shows part of another plane's patch that is behind it. If that patch is
+/// perpendicular to the mirror, its image lies in its own plane: it covers the image between its edges, unless it is
+/// the mirror before the last one, which is not drawn in its own image.
+bool shows_part_behind(const WayThroughMirrors& way, std::span<const DerivedPlane> planes, std::size_t other) {
+    const DerivedPlane &patch = planes[other], &mirror = planes[way.mirrors.back()];
+    std::vector<glm::dvec4> forms = way.forms_behind(standing);
     const double cosine = glm::dot(glm::dvec3(patch.unit_plane), glm::dvec3(mirror.unit_plane));
-    return std::abs(cosine) < 1e-9 && glm::dot(side, glm::dvec4(patch.patch.center, 1.0)) > 0.0;
+    const bool is_before = way.mirrors.size() > 1 && way.mirrors[way.mirrors.size() - 2] == other;
+    if (std::abs(cosine) > 1e-9 || is_before) return may_reach(patch.patch, forms);
+    const std::array<glm::dvec4, 4> edges = forms_of_edges(mirror_matrix(mirror.unit_plane), patch.patch);
+    return std::any_of(edges.begin(), edges.end(), [&](const glm::dvec4& edge) {
+        forms.push_back(-edge);
+        const bool reaches = may_reach(patch.patch, forms);
+        forms.pop_back();
+        return reaches;
+    });
 }
 
 /// Reports what is behind a mirror but appears in it if nothing is clipped: other planes' patches or, if there are
@@ -63,12 +74,14 @@ bool covers_own_image(const DerivedPlane& patch, const DerivedPlane& mirror, con
 void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
                 const Scene& scene) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    // If the wrong side is mirrored, clipping would keep what is behind.
+    const auto fix = [&](const WayThroughMirrors& way) {
+        return !params.reflection.side_of_eye && way.is_from_behind ? "" : "reflection.clip";
+    };
     for (const WayThroughMirrors& way : ways) {
         std::vector<std::size_t> behind;
         for (std::size_t other = 0; other < planes.size(); ++other)
-            if (params.reflection.stencil && other != way.mirrors.back() &&
-                !covers_own_image(planes[other], planes[way.mirrors.back()], way.side) &&
-                may_reach(planes[other].patch, way.forms_behind(standing)))
+            if (params.reflection.stencil && other != way.mirrors.back() && shows_part_behind(way, planes, other))
                 behind.push_back(other);
         if (!behind.empty())
             return tell.broken(
@@ -77,7 +90,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                          "part of {planes} is behind the mirror of plane {mirror}: without clipping, its "
                          "image appears in front of the mirror",
                          "planes"_a = planes_name(behind, planes.size()), "mirror"_a = way.mirrors.back() + 1),
-                "reflection.clip");
+                fix(way));
     }
     for (const WayThroughMirrors& way : ways) {
         std::vector<std::string> across, behind;
@@ -92,7 +105,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                                         "the mirror's plane cuts {objects}: the part behind it is mirrored too, and "
                                         "its image sticks out of the mirror",
                                         "objects"_a = joined(across)),
-                               "reflection.clip");
+                               fix(way));
         if (!behind.empty())
             return tell.broken(
                 true,
@@ -100,35 +113,55 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                     "reflection.object_behind",
                     "{objects} behind the mirror: without clipping, the mirror image appears in front of the mirror",
                     "objects"_a = joined(behind)),
-                "reflection.clip");
+                fix(way));
     }
+}
+
+/// Returns whether a mirror would show anything behind it if nothing were clipped.
+bool shows_any_behind(const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
+                      const Scene& scene) {
+    std::vector<Problem> behind;
+    Sayer tell(behind, "reflection");
+    say_behind(tell, params, derived, ways, scene);
+    return !behind.empty();
+}
+
+/// Returns the ways that begin with a mirror in the picture.
+std::vector<WayThroughMirrors> seen_ways(const Params& params, const Derived& derived, const FramePlan& frame) {
+    std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
+    if (params.reflection.stencil)
+        std::erase_if(ways, [&](const WayThroughMirrors& way) {
+            return !may_show(derived.planes[way.mirrors.front()].patch, params, derived);
+        });
+    return ways;
+}
+
+/// Returns whether a mirror is seen from behind but shows the side that its normal points to.
+bool shows_wrong_side(const Params& params, const Derived& derived, const FramePlan& frame) {
+    if (params.reflection.side_of_eye) return false;
+    const std::vector<WayThroughMirrors> ways = seen_ways(params, derived, frame);
+    return std::any_of(ways.begin(), ways.end(), [](const WayThroughMirrors& way) { return way.is_from_behind; });
 }
 
 /// Reports what clipping removes from the image, and what it fails to remove.
 void say_clipping(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                   const FramePlan& frame) {
     const ReflectionParams& reflection = params.reflection;
+    const std::vector<WayThroughMirrors> ways = seen_ways(params, derived, frame);
     tell.broken(
         reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
-            params.depth.mapping == DepthMapping::logarithmic,
+            params.depth.mapping == DepthMapping::logarithmic && shows_any_behind(params, derived, ways, scene),
         sentence(
             "reflection.oblique_with_logarithm",
             "the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
         "reflection.clip");
-    std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
-    if (reflection.stencil)
-        std::erase_if(ways, [&](const WayThroughMirrors& way) {
-            return !may_show(derived.planes[way.mirrors.front()].patch, params, derived);
-        });
-    const bool is_wrong_side =
-        !reflection.side_of_eye &&
-        std::any_of(ways.begin(), ways.end(), [](const WayThroughMirrors& way) { return way.is_from_behind; });
+    const bool is_wrong_side = shows_wrong_side(params, derived, frame);
     tell.broken(
         is_wrong_side && reflection.clip == MirrorClip::oblique,
         sentence("reflection.behind_clipped",
                  "the mirror is seen from behind, but the oblique near plane keeps the side that the normal points to: "
-                 "none of the image is left for this eye"),
-        "reflection.side_of_eye");
+                 "nothing of the image is left for this eye"),
+        params.slips.oblique_in_world ? "" : "reflection.side_of_eye");
     tell.broken(
         is_wrong_side && reflection.clip != MirrorClip::oblique,
         sentence("reflection.wrong_side",
@@ -153,12 +186,14 @@ bool cuts_image(const Params& params, const Derived& derived, const Mirror& mirr
     return false;
 }
 
-/// Reports an oblique near plane that was not transformed to view space.
+/// Reports an oblique near plane that was not transformed to view space. `nothing_is_left`: the right one leaves
+/// nothing of the image either, so it is no fix.
 void say_oblique_in_world(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
-                          const Scene& scene, const FramePlan& frame) {
+                          const Scene& scene, const FramePlan& frame, bool nothing_is_left) {
     const Mirror& mirror = mirrors.front();
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
-    const bool is_coarse = depth && is_visibly_coarse(*depth, params, derived),
+    const bool is_coarse =
+                   lets_nearer_win(params) && params.depth.write && depth && is_visibly_coarse(*depth, params, derived),
                is_alone = drawn_planes(params, derived).size() == 1;
     if (is_alone && !is_coarse && !cuts_image(params, derived, mirror, scene, frame)) return;
     const glm::dvec4 world = mirror.towards_eye(), view = world * glm::inverse(derived.view_from_world);
@@ -173,7 +208,7 @@ void say_oblique_in_world(Sayer& tell, const Params& params, const Derived& deri
                  "mistake: the oblique near plane is {given}, in world space, but P needs it in view space, {right}: "
                  "the image is cut at another plane",
                  "given"_a = text(world), "right"_a = text(view)),
-        "slips.oblique_in_world");
+        nothing_is_left ? "" : "slips.oblique_in_world");
 }
 
 /// Reports the mistakes in R, for the first mirror that shows them.
@@ -204,15 +239,41 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
     }
 }
 
+/// Returns whether a mirror may show objects.
+bool shows_objects(const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors, const Scene& scene,
+                   const std::vector<SeenImage>& images) {
+    const ReflectionParams& reflection = params.reflection;
+    const SlipParams& slips = params.slips;
+    const bool fits = reflection.same_projection && params.mirror_picture_scale() == 1.0,
+               has_right_images = reflection.side_of_eye && fits && !reflection.printed_by_rows && !slips.plus_2ab &&
+                                  !slips.normal_not_unit && !slips.oblique_in_world;
+    const bool is_by_hand =
+        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.plane.mirror_by_hand; });
+    if (!has_right_images || is_by_hand)
+        return (mirrors.size() > 1 && reflection.bounces > 1) ||
+               std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+                   return may_draw_image(params, derived, mirror, scene, mirror.clip_from_scene);
+               });
+    // An oblique near plane gives images other codes.
+    const double start = reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
+                                                                : start_of_cleared_code(params);
+    const auto is_shown = [](const SeenImage& image) { return image.is_shown; };
+    const bool has_samples = std::any_of(images.begin(), images.end(), is_shown);
+    if (has_samples && std::none_of(images.begin(), images.end(),
+                                    [&](const SeenImage& image) { return image.is_shown && image.nearest < start; }))
+        return false;
+    return (has_samples && mirrors.size() > 1) ||
+           std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+               return may_draw_image(params, derived, mirror, scene, mirror.clip_from_scene);
+           });
+}
+
 /// Reports errors in the image: its winding, its light, the mirrored camera's projection, and an R filled by rows.
 void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
-                const Scene& scene, bool shows_images) {
+                const Scene& scene, bool shows_images, bool is_hidden) {
     const ReflectionParams& reflection = params.reflection;
-    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return mask_hides(params, derived, mirror, scene);
-    });
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
-    tell.broken(!reflection.flip_winding && !is_hidden && (culls || params.view.shows == Shows::facing),
+    tell.broken(!reflection.flip_winding && !is_hidden && shows_images && (culls || params.view.shows == Shows::facing),
                 culls
                     ? sentence("reflection.winding",
                                "R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
@@ -228,12 +289,13 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                  "that of the light's image"),
         "reflection.reflect_light");
     tell.broken(
-        reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0,
+        reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0 &&
+            !is_hidden,
         sentence("reflection.other_projection",
                  "the mirrored camera uses the aspect ratio of a square picture: the image does not fit its mirror"),
         "reflection.same_projection");
     const double scale = params.mirror_picture_scale();
-    tell.broken(std::abs(scale - 1.0) > 1e-3,
+    tell.broken(std::abs(scale - 1.0) > 1e-3 && !is_hidden,
                 sentence("reflection.other_fovy",
                          "the picture in the mirror is drawn with fovy {wrong}° instead of the camera's {right}°: the "
                          "image is {scale} times as large as it should be and does not fit its mirror",
@@ -246,7 +308,7 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                may_show_image(params, derived, mirror, scene);
     };
     tell.broken(
-        reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
+        reflection.printed_by_rows && !is_hidden && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
         sentence("reflection.by_rows",
                  "R is filled row by row as printed, but OpenGL reads columns: Rᵀ has −2d n in its last row, where "
                  "it changes w instead of moving the image"),
@@ -254,17 +316,10 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
 }
 
 /// Reports missing shadows in the mirror image.
-void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
-    if (params.reflection.shadows || !params.shadow.enabled || !params.reflection.stencil) return;
-    const auto shows_receiver = [&](const Mirror& mirror) {
-        const auto planes = drawn_planes(params, derived);
-        return std::any_of(planes.begin(), planes.end(), [&](const DerivedPlane& plane) {
-            return &plane != &mirror.plane && plane.receives_shadow &&
-                   std::any_of(plane.shadows.begin(), plane.shadows.end(),
-                               [](const CastShadow& cast) { return !cast.light_in_plane; });
-        });
-    };
-    tell.broken(std::any_of(mirrors.begin(), mirrors.end(), shows_receiver),
+void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                        const FramePlan& frame) {
+    if (params.reflection.shadows || !params.shadow.enabled) return;
+    tell.broken(may_mirror_shadows(params, derived, scene, frame),
                 sentence("reflection.no_shadows_inside",
                          "the mirror image is drawn without shadows: inside the mirror, the objects seem to float"),
                 "reflection.shadows");
@@ -280,21 +335,19 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     Sayer tell(problems, "reflection");
     find_mask_problems(problems, params, derived, mirrors, scene);
     const bool is_in_world = params.slips.oblique_in_world && params.reflection.clip == MirrorClip::oblique;
-    if (is_in_world) say_oblique_in_world(tell, params, derived, mirrors, scene, frame);
+    if (is_in_world)
+        say_oblique_in_world(tell, params, derived, mirrors, scene, frame, shows_wrong_side(params, derived, frame));
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, derived, scene, frame);
     say_slips(tell, params, derived, mirrors, scene);
-    // An oblique near plane gives images different depth codes.
-    const double start = params.reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
-                                                                       : start_of_cleared_code(params);
-    const bool is_usual =
-        params.reflection.side_of_eye && !params.reflection.printed_by_rows && params.slips == SlipParams{};
-    const bool shows_images = !is_usual || std::any_of(images.begin(), images.end(), [start](const SeenImage& image) {
-        return image.is_shown && image.nearest < start;
+    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return !mirror.is_in_view || mask_hides_all(params, derived, mirror, scene);
     });
-    say_images(tell, params, derived, mirrors, scene, shows_images);
+    const bool depends_on_images = !params.reflection.reflect_light || !params.reflection.flip_winding;
+    say_images(tell, params, derived, mirrors, scene,
+               depends_on_images && shows_objects(params, derived, mirrors, scene, images), is_hidden);
     find_bounce_problems(problems, params, derived, mirrors, frame.reflection_depth);
-    say_shadows_inside(tell, params, derived, mirrors);
+    if (!is_hidden) say_shadows_inside(tell, params, derived, scene, frame);
 }
 
 }  // namespace viewing

@@ -75,7 +75,7 @@ std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& d
             const glm::dvec3 direction = line_of_sight(derived.eye_world, at);
             if (!is_in_view(oblique.clip(at), zero_to_one) || !is_seen_in(mirror.patch, at, direction)) continue;
             const double ratio = oblique.width_of_code(at, direction) / plain.width_of_code(at, direction);
-            if (!std::isfinite(ratio)) continue;
+            if (std::isnan(ratio)) continue;
             if (!found) found = ObliqueDepth{ratio, 0.0, 0.0};
             found->least = std::min(found->least, ratio);
             if (ratio > found->greatest) {

@@ -7,6 +7,7 @@
 #include "frame/cleared_code.h"
 #include "frame/lighting.h"
 #include "frame/object_reach.h"
+#include "frame/planes/drawn_mirrors.h"
 #include "frame/say.h"
 #include "text/words.h"
 
@@ -18,11 +19,26 @@ glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
 }
 
+/// Returns S with this sign of w. An S filled by rows, or a lift, does not send points to the plane: it is followed by
+/// their projection from the eye, which sends them to where the eye sees them on the plane.
+glm::dmat4 seen_on_patch(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast, double sign,
+                         const glm::dvec4& eye_world) {
+    const glm::dmat4 landed = sign * cast.shadowed_world_from_world;
+    const bool is_lifted = shadow.style == ShadowStyle::blend && shadow.offset == ShadowOffset::lift;
+    if (!cast.has_slip && !is_lifted) return landed;
+    glm::dmat4 lifted_from_plane(1.0);
+    if (is_lifted)
+        lifted_from_plane[3] = glm::dvec4(shadow.lift * glm::dvec3(plane_facing(plane.unit_plane, eye_world)), 1.0);
+    return seen_on_plane(plane.unit_plane, eye_world) * lifted_from_plane * landed;
+}
+
 /// A shadow that the frame draws.
 struct Thrown {
     const DerivedPlane& plane;
     const CastShadow& cast;
     std::string light_name, plane_name;
+    bool has_anti_shadow = false;  ///< that may be seen
+    bool is_drawn = true;          ///< false: an S filled by rows sends it out of the picture
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
@@ -32,37 +48,94 @@ struct Thrown {
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
 
-/// Returns whether part of a shadow may be in the picture, on a patch that is drawn. A negative w that nothing corrects
-/// is judged as if it were positive.
-bool may_be_seen(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
-                 const CastShadow& cast) {
-    if (params.shadow.clip_to_receiver && !may_show(plane.patch, params, derived)) return false;
-    const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0;
-    const bool is_forced = params.shadow.sign == ShadowSign::forced && !params.shadow.clip_at_light;
-    if (cast.by_hand || is_forced) return true;
+/// A negative w that nothing corrects is judged as if it were positive. With a forced sign, casters beyond the light
+/// throw an anti-shadow, too.
+enum class Part { shadow, anti_shadow };
+
+/// Where a part of a shadow lies, and forms that are positive at the points of the casters that throw it.
+struct Landed {
+    glm::dmat4 world_from_world;
+    std::vector<glm::dvec4> forms;
+};
+
+/// Returns the part of a shadow where all the forms `seen`, which take a point of the plane, are positive; none for an
+/// S entered by hand. `on_patch`: only on its own patch.
+std::optional<Landed> landed_part(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
+                                  Part part, std::span<const glm::dvec4> seen, bool on_patch) {
+    if (cast.by_hand) return std::nullopt;
+    const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0, sign = part == Part::shadow ? 1.0 : -1.0;
     // If S is filled by rows, the right shadow may be seen instead.
-    const glm::dmat4 landed = side * right_shadow(plane, cast);
-    std::vector<glm::dvec4> forms = {glm::transpose(landed)[3]};
-    for (const glm::dvec4& form : forms_of_sides(derived.clip_from_world * landed)) forms.push_back(form);
-    if (params.shadow.clip_casters) forms.push_back(side * plane.unit_plane);
+    Landed landed{sign * side * right_shadow(plane, cast), {}};
+    landed.forms.push_back(glm::transpose(landed.world_from_world)[3]);
+    for (const glm::dvec4& form : seen) landed.forms.push_back(form * landed.world_from_world);
+    if (shadow.clip_casters) landed.forms.push_back(side * plane.unit_plane);
+    if (on_patch)
+        for (const glm::dvec4& edge : forms_of_edges(landed.world_from_world, plane.patch))
+            landed.forms.push_back(edge);
+    return landed;
+}
+
+/// Returns whether part of a shadow may be in the picture, on a patch that is drawn.
+bool may_be_seen(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
+                 const CastShadow& cast, Part part) {
+    const bool on_patch = params.shadow.clip_to_receiver;
+    if (on_patch && !may_show(plane.patch, params, derived)) return false;
+    const std::vector<glm::dvec4> frustum = forms_of_frustum(derived.clip_from_world);
+    const std::optional<Landed> landed = landed_part(params.shadow, plane, cast, part, frustum, on_patch);
+    return !landed || may_see(params, derived, scene, landed->forms, landed->world_from_world);
+}
+
+/// Returns whether part of a shadow may be seen in a mirror, which shows it only on its patch.
+bool may_be_mirrored(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
+                     const CastShadow& cast, Part part, std::span<const WayThroughMirrors> ways) {
+    constexpr std::size_t most_forms = 32;
+    const auto index = static_cast<std::size_t>(&plane - derived.planes.data());
+    return params.reflection.stencil && std::any_of(ways.begin(), ways.end(), [&](const WayThroughMirrors& way) {
+               if (way.mirrors.back() == index) return false;
+               const std::optional<Landed> landed = landed_part(params.shadow, plane, cast, part, way.inside, true);
+               // Through more mirrors, hardly a pixel shows it.
+               return !landed || (landed->forms.size() <= most_forms && may_reach(scene, landed->forms));
+           });
+}
+
+/// Returns whether the shadow that S really draws may be in the picture.
+bool is_drawn_in_picture(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
+                         const CastShadow& cast) {
+    const glm::dmat4 drawn = cast.sign * cast.shadowed_world_from_world,
+                     seen = seen_on_patch(params.shadow, plane, cast, cast.sign, derived.eye_world);
+    std::vector<glm::dvec4> forms = forms_of_frustum(derived.clip_from_world * drawn);
+    if (params.shadow.clip_casters) forms.push_back(plane_facing(plane.unit_plane, cast.light_world));
     if (params.shadow.clip_to_receiver)
-        for (const glm::dvec4& edge : forms_of_edges(landed, plane.patch)) forms.push_back(edge);
+        for (const glm::dvec4& edge : forms_of_edges(seen, plane.patch)) forms.push_back(edge);
     return may_reach(scene, forms);
 }
 
-/// Returns the shadows that may be in the picture, either directly or in a mirror.
-std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived, const Scene& scene) {
+/// Returns the shadows that may be in the picture, directly or, with mirrors, in one.
+std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived, const Scene& scene,
+                                   const FramePlan& frame) {
     std::vector<Thrown> thrown;
-    if (!params.shadow.enabled) return thrown;
+    const ShadowParams& shadow = params.shadow;
+    if (!shadow.enabled) return thrown;
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    const std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
+    const bool is_forced = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
         const std::vector<CastShadow>& shadows = planes[plane].shadows;
         for (std::size_t light = 0; light < shadows.size(); ++light) {
             if (!planes[plane].receives_shadow || !shadows[light].reaches(planes[plane].eye_side)) continue;
-            const bool is_mirrored = params.reflection.enabled && params.reflection.shadows && planes.size() > 1;
-            if (!is_mirrored && !may_be_seen(params, derived, scene, planes[plane], shadows[light])) continue;
-            thrown.push_back({planes[plane], shadows[light], light_name(light, shadows.size()),
-                              planes_name(std::array{plane}, planes.size())});
+            const auto is_seen = [&](Part part) {
+                return may_be_seen(params, derived, scene, planes[plane], shadows[light], part) ||
+                       (params.reflection.shadows &&
+                        may_be_mirrored(params, derived, scene, planes[plane], shadows[light], part, ways));
+            };
+            Thrown one{planes[plane], shadows[light], light_name(light, shadows.size()),
+                       planes_name(std::array{plane}, planes.size())};
+            if (shadows[light].has_slip)
+                one.is_drawn = is_drawn_in_picture(params, derived, scene, planes[plane], shadows[light]);
+            // Triangles that cross w = 0 stretch to infinity, through the picture.
+            one.has_anti_shadow =
+                is_forced && (is_seen(Part::anti_shadow) || !objects_across(scene, one.right_w(), 0.0).empty());
+            if (one.has_anti_shadow || is_seen(Part::shadow)) thrown.push_back(one);
         }
     }
     return thrown;
@@ -73,7 +146,7 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
     const std::string beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
     if (beyond.empty()) return false;
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
-    if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
+    if (one.has_anti_shadow)
         across.empty()
             ? tell.broken(
                   true,
@@ -110,8 +183,8 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
     std::vector<std::string> vanishing;
     for (const Thrown& one : thrown)
         if (shadow.sign == ShadowSign::none && one.side() < 0.0 &&
-            lands_inside(scene, {one.side() * one.cast.shadowed_world_from_world, derived.clip_from_world,
-                                 one.towards_light(), one.plane.patch}))
+            lands_inside(scene, {seen_on_patch(shadow, one.plane, one.cast, one.side(), derived.eye_world),
+                                 derived.clip_from_world, one.towards_light(), one.plane.patch}))
             vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
     tell.broken(
@@ -159,17 +232,18 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
     // An S filled by rows lifts the shadow off the plane.
     const bool lies_in_plane =
         std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return !one.cast.has_slip; });
+    const bool hides = params.depth.write;  // otherwise, no plane hides its shadow
     if (is_nothing)
-        return tell.broken(lies_in_plane,
+        return tell.broken(lies_in_plane && hides,
                            sentence("shadow.fights",
                                     "nothing lifts the shadow off its plane: the two depths differ only by rounding, "
                                     "so the surfaces fight"),
                            shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
     tell.broken(
-        by_polygon && factor >= 0.0 && units >= 0.0,
+        hides && by_polygon && factor >= 0.0 && units >= 0.0,
         sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"));
     tell.broken(
-        shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
+        hides && shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
         sentence("shadow.writes_depth",
                  "the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
         "shadow.write_depth");
@@ -177,7 +251,12 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
     constexpr double least_shift = 2e-4;
     const auto is_seen_floating = [&](const Thrown& one) {
         const double z = -(derived.view_from_world * glm::dvec4(one.plane.patch.center, 1.0)).z;
-        return shadow.lift > least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
+        const glm::dvec3 sight = line_of_sight(derived.eye_world, one.plane.patch.center);
+        const double sine =
+            derived.eye_world.w == 0.0 ? glm::length(glm::cross(glm::dvec3(one.plane.unit_plane), sight)) : 1.0;
+        return !one.cast.has_slip &&
+               sine * shadow.lift >
+                   least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
     };
     tell.broken(
         by_lift && std::any_of(thrown.begin(), thrown.end(), is_seen_floating),
@@ -221,7 +300,8 @@ bool may_reach_highlight(const Derived& derived, const Thrown& one, const Scene&
 void say_paint(Sayer& tell, const ShadowParams& shadow, const Derived& derived, const std::vector<Thrown>& thrown,
                const Scene& scene) {
     tell.broken(
-        !shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
+        !shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0 &&
+            std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.is_drawn; }),
         sentence("shadow.blended_twice",
                  "each face of each caster is blended separately: unless the stencil counts them, the shadow is "
                  "darker wherever faces overlap"),
@@ -266,8 +346,8 @@ bool is_seen_beyond(const Params& params, const Derived& derived, const Thrown& 
     const ReflectionParams& reflection = params.reflection;
     const bool is_untested = reflection.enabled && reflection.after_objects && reflection.stencil && one.plane.mirrors;
     if (previous_frame_hides(params) && !is_untested) return true;
-    Landing landing{one.cast.sign * one.cast.shadowed_world_from_world, derived.clip_from_world, one.towards_light(),
-                    one.plane.patch};
+    const glm::dmat4 landed = seen_on_patch(params.shadow, one.plane, one.cast, one.cast.sign, derived.eye_world);
+    Landing landing{landed, derived.clip_from_world, one.towards_light(), one.plane.patch};
     landing.is_covered = [&](const glm::dvec3& point) { return is_under_patch(params, derived, one.plane, point); };
     return lands_beyond(scene, landing);
 }
@@ -317,25 +397,44 @@ void say_rows(Sayer& tell, const std::vector<Thrown>& thrown) {
 
 }  // namespace
 
+bool may_show_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
+    return !thrown_shadows(params, derived, scene, frame).empty();
+}
+
+bool may_mirror_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    const std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
+    return std::any_of(planes.begin(), planes.end(), [&](const DerivedPlane& plane) {
+        return plane.receives_shadow &&
+               std::any_of(plane.shadows.begin(), plane.shadows.end(), [&](const CastShadow& cast) {
+                   return !cast.light_in_plane &&
+                          may_be_mirrored(params, derived, scene, plane, cast, Part::shadow, ways);
+               });
+    });
+}
+
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene) {
-    const std::vector<Thrown> thrown = thrown_shadows(params, derived, scene);
+                          const Scene& scene, const FramePlan& frame) {
+    const std::vector<Thrown> thrown = thrown_shadows(params, derived, scene, frame);
     if (thrown.empty() || !shows_effects(params)) return;
     const ShadowParams& shadow = params.shadow;
     Sayer tell(problems, "shadow");
     if (!say_casters(tell, shadow, thrown, derived, scene)) return;
     say_rows(tell, thrown);
     if (shadow.style == ShadowStyle::blend) {
-        const bool beyond_edge =
-            !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-                return is_seen_beyond(params, derived, one, scene);
-            });
+        std::vector<Thrown> beyond;
+        if (!shadow.clip_to_receiver)
+            std::copy_if(thrown.begin(), thrown.end(), std::back_inserter(beyond),
+                         [&](const Thrown& one) { return is_seen_beyond(params, derived, one, scene); });
+        // An S filled by rows may hide the shadow there behind the plane or an object.
+        const bool is_sure =
+            std::any_of(beyond.begin(), beyond.end(), [](const Thrown& one) { return !one.cast.has_slip; });
         tell.broken(
-            beyond_edge,
+            !beyond.empty(),
             sentence("shadow.beyond_edge",
                      "S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
                      "past the floor's edge into the air"),
-            "shadow.clip_to_receiver");
+            is_sure ? "shadow.clip_to_receiver" : "");
         say_paint(tell, shadow, derived, thrown, scene);
         say_offset(tell, params, derived, thrown);
     }

@@ -6,25 +6,6 @@
 #include "geometry/ray.h"
 
 namespace viewing {
-namespace {
-
-/// Returns whether the part 0 ≤ t < `limit` of a ray meets a box.
-bool meets(const Ray& ray, const Bounds& box, double limit) {
-    double enter = 0.0, leave = limit;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (ray.direction[axis] == 0.0) {
-            if (ray.origin[axis] < box.min[axis] || ray.origin[axis] > box.max[axis]) return false;
-            continue;
-        }
-        const double a = (box.min[axis] - ray.origin[axis]) / ray.direction[axis],
-                     b = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave;
-}
-
-}  // namespace
 
 std::optional<Blocker> blocker(const FragmentFinder& finder, const glm::dvec3& point_world,
                                const glm::dvec4& light_world) {
@@ -41,7 +22,7 @@ std::optional<Blocker> blocker(const FragmentFinder& finder, const glm::dvec3& p
         const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
         const Ray ray{glm::dvec3(model_from_world * glm::dvec4(point_world, 1.0)), glm::dmat3(model_from_world) * way};
         const Mesh& mesh = *object.mesh;
-        finder.triangles_of(index).each([&](const Bounds& box) { return meets(ray, box, limit); },
+        finder.triangles_of(index).each([&](const Bounds& box) { return meets_box(ray, box, limit); },
                                         [&](std::uint32_t triangle) {
                                             std::array<glm::dvec3, 3> corners;
                                             for (std::size_t k = 0; k < 3; ++k)

@@ -35,9 +35,10 @@ constexpr std::array<ColumnText, fighting_columns> columns = {{
             "arithmetic error. Red if the pair's gap is narrower."),
      "column:fighting.safe_gap"},
     {marked("predicted"),
-     marked("The predicted range for the pair's fraction of wrong pixels, whatever errors float32 arithmetic makes "
-            "before the depth is stored. – means no prediction: with 24 bits or a float, the arithmetic is as coarse "
-            "as the codes."),
+     marked(
+         "The predicted range for the pair's share of wrong pixels, whatever errors float32 arithmetic makes before "
+         "the depth is stored. With 24 bits or a float, the arithmetic is as coarse as the codes, so that the formulas "
+         "predict nothing: the mean of the 12 jittered cameras is counted instead, ± 2 standard errors."),
      "column:fighting.predicted"},
     {marked("jittered"),
      marked("The mean and the range of the fraction of wrong pixels over 12 cameras, each jittered by a thousandth of "
@@ -55,7 +56,7 @@ constexpr std::array<ColumnText, fighting_columns> columns = {{
 struct PairRow {
     std::array<std::string, fighting_columns> texts;
     float counted_share = 0.0F;
-    bool is_below_onset = false, fights = false;
+    bool is_below_onset = false, fights = false, has_prediction = false;
 };
 
 /// Joins two names, writing their common part only once: "back / front quad at 4".
@@ -72,12 +73,20 @@ std::string percents(double least, double most) {
     return low == high ? low : say("{least} – {most}", "least"_a = low, "most"_a = high);
 }
 
+/// Returns the mean of what the jittered cameras count, for pairs without a prediction: "counted 45.0% ± 18.2%".
+std::string counted_share(const ShareSpread& spread) {
+    if (spread.cameras < 2) return "–";
+    return say("counted {mean} ± {error}", "mean"_a = percent(spread.mean()),
+               "error"_a = percent(2.0 * spread.standard_error()));
+}
+
 PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) {
     const FightingOnset& gap_needed = row.predicted.onset;
     const double needed = gap_needed.gap() * row.predicted.slant;
     PairRow made;
     made.is_below_onset = !gap_needed.is_reachable || counted_pair.pair.gap() < needed;
     made.fights = counted_pair.wrong > 0;
+    made.has_prediction = row.predicted.wrong_share.has_value();
     made.counted_share = static_cast<float>(counted_pair.wrong_fraction());
     const auto& share = row.predicted.wrong_share;
     const ShareSpread& spread = row.spread;
@@ -86,7 +95,7 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
                   figures(counted_pair.pair.gap()),
                   figures(row.predicted.step),
                   gap_needed.is_reachable ? figures(needed) : "–",
-                  share ? percents(share->least, share->most) : "–",
+                  share ? percents(share->least, share->most) : counted_share(spread),
                   spread.cameras > 0 ? say("{mean} ({range})", "mean"_a = percent(spread.mean()),
                                            "range"_a = percents(spread.least, spread.most))
                                      : "–",
@@ -113,6 +122,7 @@ void cover(PairRow& row) {
     if (!is_count_covered()) return;
     row.fights = false;
     row.counted_share = 0.0F;
+    if (!row.has_prediction) row.texts[predicted] = "–";
 }
 
 std::vector<PairRow> rows_of(const FightingReport& report) {
@@ -165,6 +175,7 @@ void draw_bar(float share, ImU32 color) {
 /// Counted values are gray while they belong to an earlier state; values given by a formula always belong to the
 /// current one.
 ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
+    if (column == predicted && !row.has_prediction) return is_behind ? palette().quiet : palette().text;
     if (column == counted || column == pixels || column == jittered_mean)
         return is_behind ? palette().quiet : row.fights ? palette().trouble : palette().text;
     if (column == onset && row.is_below_onset) return palette().trouble;
@@ -186,7 +197,8 @@ void draw_row(const PairRow& row, const FightingWidths& widths, bool is_behind) 
         else
             text_at_right(row.texts[c]);
         widgets::MarkTarget(columns[c].target);
-        if (c == distance || c == counted) widgets::Record((row.texts[names] + ": " + row.texts[c]).c_str());
+        if (c == distance || c == counted || (c == predicted && !row.has_prediction))
+            widgets::Record((row.texts[names] + ": " + row.texts[c]).c_str());
         if (c == distance) widgets::Tooltip("Pair", row.texts[names].c_str());
         ImGui::PopFont();
         ImGui::PopStyleColor();

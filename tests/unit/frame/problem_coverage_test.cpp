@@ -62,6 +62,7 @@ std::vector<Written> written_sentences() {
 }
 
 const std::string back_wall = "planes=[{\"equation\":[0,0,1,3]}]";
+const std::string leaning_wall = "planes=[{\"equation\":[0,1,1,3]}]";
 const std::string two_walls = "planes=[{\"equation\":[0,0,1,3]},{\"equation\":[1,0,0,3]}]";
 const std::string facing_mirrors =
     "planes=[{\"equation\":[0,0,1,8],\"receives_shadow\":false},{\"equation\":[0,0,-1,8],\"receives_shadow\":false}]";
@@ -87,7 +88,8 @@ const std::vector<std::vector<std::string>>& box_states() {
         {"depth.clear_value=0"},
         {"depth.clear_value=0.94"},
         {"depth.mapping=logarithmic"},
-        {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true", "reflection.clip=oblique"},
+        {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true", "reflection.clip=oblique", leaning_wall},
+        {"depth.func=gequal"},
         {"view.call=1"},
         {"depth.format=d16", "view.samples=4"},
         // S and R by hand. The right ones are [[5.2,-2.6,0,0],[0,0,0,0],[0,-2.2,5.2,0],[0,-1,0,5.2]] and y → −y.
@@ -150,7 +152,8 @@ const std::vector<std::vector<std::string>>& box_states() {
         {"reflection.clip=oblique", "projection.near=1", "projection.far=15", "depth.format=d32f",
          "plane.equation=[0.3,0,0.5,0]"},
         {"reflection.fovy=20"},
-        {"reflection.clip=none", back_wall},
+        {"reflection.clip=none", leaning_wall},
+        {"reflection.after_objects=true", "reflection.stencil=false", "plane.equation=[0,0,1,-2]"},
         {"reflection.clip=oblique", "reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
         {"reflection.clip=none", "reflection.stencil=false", "plane.equation=[0,1,0,-1]"},
         {"reflection.stencil=false", back_wall},
