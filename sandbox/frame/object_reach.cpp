@@ -208,7 +208,7 @@ bool is_covered(const Params& params, const Derived& derived, const Scene& scene
     });
 }
 
-/// A mesh's part in the picture. Lengths are shares of the picture's height.
+/// A mesh's part in the picture. Lengths are fractions of the picture's height.
 struct Drawn {
     double area = 0.0;    ///< of all its triangles, whether or not they hide each other
     double length = 0.0;  ///< the diagonal of its bounds

@@ -211,8 +211,9 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 }
 
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
-/// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
-/// not tested, so it shows the mistakes of V and P, and where depth is cleared for its image, nearer fragments pass.
+/// shadow beyond its patch is still drawn where it is nearer than the depths of the previous frame. A mirror that is
+/// drawn last is not tested, so it shows the mistakes of V and P, and where depth is cleared for its image, nearer
+/// fragments pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     const DepthParams& depth = params.depth;
     const ReflectionParams& reflection = params.reflection;

@@ -41,8 +41,8 @@ std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& deri
 bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                     const glm::dmat4& clip_from_scene);
 
-/// Returns whether an object's image may be in the picture, by the uploaded R or by the right one. Other planes have
-/// images too: with several planes, one may always be.
+/// Returns whether an object's image may be in the picture, according to the uploaded R or the right one. Other planes
+/// have images too: with several planes, one may always be.
 bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
 /// Returns whether a mirror's mask hides the mirror's image, which lies beyond the mirror unless the wrong side is
@@ -56,7 +56,8 @@ bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& 
 /// Returns whether part of a shadow may be seen in a mirror, on another plane's patch.
 bool may_mirror_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame);
 
-/// Adds errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
+/// Adds the errors of the masks, which keep each image inside its mirror, and each mirror at its correct depth among
+/// the objects.
 void find_mask_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const std::vector<Mirror>& mirrors, const Scene& scene);
 

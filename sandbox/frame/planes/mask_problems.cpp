@@ -53,8 +53,8 @@ bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& 
 
 namespace {
 
-/// Returns the gap, along the mirror's normal, that depth surely distinguishes at an object's center, if the gap in eye
-/// distance is a visible part of the picture's height there; otherwise 0.
+/// Returns the smallest gap, along the mirror's normal, that depth reliably resolves at an object's center, if that gap
+/// in eye distance is a visible fraction of the picture's height there; otherwise 0.
 double coarse_gap(const Params& params, const Derived& derived, const Mirror& mirror, const SceneObject& object) {
     const Lens lens = params.lens();
     const glm::dvec3 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
@@ -191,7 +191,7 @@ void say_shown_through(Sayer& tell, const Params& params, const Derived& derived
     }
 }
 
-/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
+/// Reports a mirror whose picture is cleared and drawn over earlier patches as well, because they share its stencil
 /// value.
 void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     if (params.shadow.own_stencil || !params.reflection.stencil) return;

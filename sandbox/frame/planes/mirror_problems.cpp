@@ -254,7 +254,7 @@ bool shows_objects(const Params& params, const Derived& derived, const std::vect
                std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
                    return may_draw_image(params, derived, mirror, scene, mirror.clip_from_scene);
                });
-    // An oblique near plane gives images other codes.
+    // An oblique near plane gives images different depth codes.
     const double start = reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
                                                                 : start_of_cleared_code(params);
     const auto is_shown = [](const SeenImage& image) { return image.is_shown; };

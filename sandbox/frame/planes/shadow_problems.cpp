@@ -110,7 +110,7 @@ bool is_drawn_in_picture(const Params& params, const Derived& derived, const Sce
     return may_reach(scene, forms);
 }
 
-/// Returns the shadows that may be in the picture, directly or, with mirrors, in one.
+/// Returns the shadows that may be in the picture, either directly or in a mirror.
 std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame) {
     std::vector<Thrown> thrown;

@@ -36,7 +36,7 @@ constexpr std::array<ColumnText, fighting_columns> columns = {{
      "column:fighting.safe_gap"},
     {marked("predicted"),
      marked(
-         "The predicted range for the pair's share of wrong pixels, whatever errors float32 arithmetic makes before "
+         "The predicted range for the pair's fraction of wrong pixels, whatever errors float32 arithmetic makes before "
          "the depth is stored. With 24 bits or a float, the arithmetic is as coarse as the codes, so that the formulas "
          "predict nothing: the mean of the 12 jittered cameras is counted instead, ± 2 standard errors."),
      "column:fighting.predicted"},
