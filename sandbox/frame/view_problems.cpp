@@ -143,7 +143,7 @@ void say_cut(std::vector<Problem>& problems, const Params& params, const std::ve
                  "near"_a = figures(near, 3), "objects"_a = viewing::joined(before), "z"_a = figures(nearest, 3)),
         nearer ? "projection.near=" + plain_number(*nearer) : "");
     tell(!before.empty() && !nearer,
-         sentence("view.near_cuts", "near = {near} cuts into {objects}, which extend as far as the eye",
+         sentence("view.near_cuts", "near = {near} cuts into {objects}: no gap is left in front of the eye",
                   "near"_a = figures(near, 3), "objects"_a = viewing::joined(before)));
     tell.broken(
         !beyond.empty(),

@@ -887,10 +887,11 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "Pins a pixel relative to an object, so that the pixel stays in place at every picture size. Give a scene "
-             "object and a fraction of the object's box in the picture, from the top left (default: the middle of the "
-             "object's visible part); or, without an object, a fraction of the view. Overrides the pinned pixel; null "
-             "means none."},
+     .help =
+         "Pins a pixel relative to an object, so that the pixel stays in place at every picture size. Give a scene "
+         "object and a fraction of the object's box in the picture, from the top left (default: the middle of the "
+         "object's visible part); or, without an object, a fraction of the view. Overrides the pinned pixel, unless "
+         "it is null."},
     {.path = "view.cells",
      .place = IN(view.cells),
      .label = "cells",

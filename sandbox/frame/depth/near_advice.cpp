@@ -136,10 +136,11 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
                             std::optional<double> better) {
     const std::string near_now = figures(params.projection.near, 3);
     if (!better)
-        return {true, std::nullopt,
-                say("near = {near} cuts into {object}, which extends as far as the eye: no near plane would keep it "
-                    "whole.",
-                    "near"_a = near_now, "object"_a = object_text(nearest.name))};
+        return {
+            true, std::nullopt,
+            say("near = {near} cuts into {object}, which reaches the eye or goes past it: no near plane would keep it "
+                "whole.",
+                "near"_a = near_now, "object"_a = object_text(nearest.name))};
     const double near = *better;
     const Change change = change_of(params, derived, near, z);
     const bool is_finer = change.then < change.now;

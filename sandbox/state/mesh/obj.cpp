@@ -119,7 +119,7 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     const Bounds bounds = bounds_of_corners(*content);
     const glm::dvec3 center = bounds.center(), size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z});
-    if (!(longest > 0.0)) return refusal("has no face with an area");
+    if (!(longest > 0.0)) return refusal("has no face with a nonzero area");
     // The coordinates of a smaller mesh have too few digits to distinguish its corners. Without scaling, the limit is
     // that of single precision.
     const double least = reading.fit ? 1e-300 : 1e-30;
@@ -133,7 +133,7 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     WorkProgress of_assembling{.whole = progress, .begin = share_of_lines, .end = 1.0};
     Result<Mesh> mesh = Assembly(*content, &of_assembling).run();
     if (!mesh) return refusal(mesh.error());
-    if (!has_area(*mesh, longest / 2.0 / unit)) return refusal("has no face with an area");
+    if (!has_area(*mesh, longest / 2.0 / unit)) return refusal("has no face with a nonzero area");
     if (is_canceled(progress)) return refusal(was_canceled);
     report(progress, 1.0);
     for (std::string& note : content->notes) note = name + ": " + note;

@@ -163,7 +163,7 @@ TEST(NearAdvice, ReportsCutObjects) {
     ASSERT_TRUE(through);
     EXPECT_FALSE(through->near);
     EXPECT_EQ(through->sentence,
-              "near = 0.5 cuts into wall, which extends as far as the eye: no near plane would keep it whole.");
+              "near = 0.5 cuts into wall, which reaches the eye or goes past it: no near plane would keep it whole.");
 }
 
 TEST(NearAdvice, NeverCutsVisibleObjects) {

@@ -174,8 +174,8 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal("v 1e 0 0\n"), "line 1: not a number: 1e");
     EXPECT_EQ(refusal("v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "line 1: vertex 1 has a coordinate beyond 1e12");
     EXPECT_EQ(refusal("v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "line 1: vertex 1 has a coordinate beyond 1e12");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with an area");
-    EXPECT_EQ(refusal("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "has no face with an area");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with a nonzero area");
+    EXPECT_EQ(refusal("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "has no face with a nonzero area");
     EXPECT_EQ(refusal("v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n"),
               "is 1·10⁻³¹⁰ units across, but must be at least 1·10⁻³⁰⁰: scale its coordinates up");
     EXPECT_NE(refusal(std::string("\x7f"
