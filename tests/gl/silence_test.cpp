@@ -126,6 +126,7 @@ Params without_chance(Params params) {
     params.depth.format = DepthFormat::d24;
     params.depth.func = CompareFunc::less;
     params.depth.logarithm_per_vertex = false;
+    params.cull.face = CullFace::back;
     params.depth.buffer = params.depth.test = params.depth.write = true;
     params.shadow.write_depth = false;
     return params;
@@ -142,7 +143,8 @@ bool is_left_to_chance(const std::vector<Problem>& problems) {
                                                "depth.mask_off",
                                                "depth.always",
                                                "depth.notequal",
-                                               "depth.logarithm_per_vertex"};
+                                               "depth.logarithm_per_vertex",
+                                               "cull.front"};
     return std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
         return std::find(std::begin(ids), std::end(ids), problem.id) != std::end(ids);
     });

@@ -168,6 +168,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"typed", "a text as typed into a field, which is no number"},
     {"unit", "another text of the catalog: a unit's name"},
     {"units", "the units of a polygon offset, a number"},
+    {"unreflected", "a mirror that is drawn without its image, as a phrase"},
     {"value", "a number"},
     {"values", "one or more numbers, such as +16, 32"},
     {"variant", "the number of an exercise's variant"},

@@ -77,22 +77,23 @@ void find_bounce_problems(std::vector<Problem>& problems, const Params& params, 
                              "{depth} of {bounces} bounces are drawn: more would redraw the scene too often or exceed "
                              "the stencil's range",
                              "depth"_a = depth, "bounces"_a = params.reflection.bounces));
-    const std::string lost =
+    const std::string unreflected =
         depth == 1 ? tr("a mirror seen in a mirror") : say("the mirror after {depth} bounces", "depth"_a = depth);
     if (is_endless)
-        return tell.broken(true,
-                           sentence("reflection.endless",
-                                    "mirrors facing each other reflect endlessly: {mirror} is drawn without its image",
-                                    "mirror"_a = lost),
-                           depth == 1 ? "reflection.bounces=8" : "");
+        return tell.broken(
+            true,
+            sentence("reflection.endless",
+                     "mirrors facing each other reflect endlessly: {unreflected} is drawn without its image",
+                     "unreflected"_a = unreflected),
+            depth == 1 ? "reflection.bounces=8" : "");
     tell(true,
          most < most_followed
              ? sentence("reflection.in_a_row",
-                        "a line of sight hits up to {count} mirrors in a row: {mirror} is drawn without its image",
-                        "count"_a = most, "mirror"_a = lost)
+                        "a line of sight hits up to {count} mirrors in a row: {unreflected} is drawn without its image",
+                        "count"_a = most, "unreflected"_a = unreflected)
              : sentence("reflection.in_a_row",
-                        "a line of sight hits mirrors again and again: {mirror} is drawn without its image",
-                        "mirror"_a = lost));
+                        "a line of sight hits mirrors again and again: {unreflected} is drawn without its image",
+                        "unreflected"_a = unreflected));
 }
 
 }  // namespace viewing

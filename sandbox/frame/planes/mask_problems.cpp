@@ -184,8 +184,8 @@ void say_shown_through(Sayer& tell, const Params& params, const Derived& derived
         if (!behind.empty())
             return tell.broken(true,
                                sentence("reflection.shows_through",
-                                        "the mirror is drawn last and blended: without the stencil, {objects} behind "
-                                        "it shows through",
+                                        "the mirror is drawn last and blended: without the stencil, what is behind it "
+                                        "shows through: {objects}",
                                         "objects"_a = joined(behind)),
                                "reflection.after_objects");
     }

@@ -76,8 +76,8 @@ std::string percents(double least, double most) {
 /// Returns the mean of what the jittered cameras count, for pairs without a prediction: "counted 45.0% ± 18.2%".
 std::string counted_share(const ShareSpread& spread) {
     if (spread.cameras < 2) return "–";
-    return say("counted {mean} ± {error}", "mean"_a = percent(spread.mean()),
-               "error"_a = percent(2.0 * spread.standard_error()));
+    return say("counted {mean} ± {share}", "mean"_a = percent(spread.mean()),
+               "share"_a = percent(2.0 * spread.standard_error()));
 }
 
 PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) {
