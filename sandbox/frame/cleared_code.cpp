@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "frame/depth/depth_switches.h"
+#include "frame/depth_switches.h"
 #include "frame/object_reach.h"
 
 namespace viewing {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
-#include "frame/depth/depth_switches.h"
+#include "frame/depth_switches.h"
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/planes/drawn_mirrors.h"

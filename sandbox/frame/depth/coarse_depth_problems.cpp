@@ -6,10 +6,10 @@
 #include <optional>
 #include <span>
 
-#include "frame/depth/depth_switches.h"
 #include "frame/depth/fighting.h"
 #include "frame/depth/near_advice.h"
 #include "frame/depth/pair_prediction.h"
+#include "frame/depth_switches.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 

@@ -6,9 +6,9 @@
 
 #include "frame/cleared_code.h"
 #include "frame/depth/decals.h"
-#include "frame/depth/depth_switches.h"
 #include "frame/depth/fighting.h"
 #include "frame/depth/near_advice.h"
+#include "frame/depth_switches.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/words.h"

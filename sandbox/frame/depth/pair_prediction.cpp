@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "frame/depth/depth_switches.h"
+#include "frame/depth_switches.h"
 
 namespace viewing {
 namespace {

@@ -2,7 +2,7 @@
 // plan().
 #include <algorithm>
 
-#include "frame/depth/depth_switches.h"
+#include "frame/depth_switches.h"
 #include "frame/plan_parts.h"
 
 namespace viewing {
