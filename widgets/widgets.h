@@ -72,7 +72,7 @@ struct Editing {
     int typing_count = 0;     ///< counts the numbers typed so far: see TextField
     ImGuiID type_now = 0;     ///< the number where typing starts in this frame
     ImGuiID type_next = 0;    ///< the number where it starts in the next frame (Tab, Shift+Tab)
-    ImGuiID last_number = 0;  ///< the last number drawn, where Shift+Tab leads
+    ImGuiID last_number = 0;  ///< the number drawn most recently; Shift+Tab moves to it
     int tab = 0;              ///< typing moves to another number; +1: the next one drawn, −1: the previous one
     ImGuiID entered = 0;      ///< the number in which Enter has ended typing in this frame
     bool focused = false;     ///< the text field has keyboard focus

@@ -59,7 +59,7 @@ Result<std::string> with_doubled_step(const LessonSource& source, std::size_t st
 Result<std::string> with_removed_step(const LessonSource& source, std::size_t step);
 /// Adds a choice to a question with choices, with texts for the author to replace.
 Result<std::string> with_choice(const LessonSource& source, std::size_t step);
-/// Makes a state, with its layout, the start of a step; `preset` is the preset that the state is based on, "" for the
+/// Uses a state and its layout as the start of a step; `preset` is the preset that the state is based on, "" for the
 /// opening state.
 Result<std::string> with_start(const LessonSource& source, std::size_t step, const Params& params,
                                const std::string& preset);

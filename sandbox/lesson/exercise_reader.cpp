@@ -1,4 +1,4 @@
-// Reads exercise files, and makes variants from the lists of their constants.
+// Reads exercise files and makes variants from the values listed for each constant.
 #include <algorithm>
 #include <set>
 

@@ -21,9 +21,10 @@ std::optional<glm::dvec4> plane_of_mirror_row(const glm::dvec4& row, int index);
 std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& light,
                                               const glm::dvec4& asked);
 
-/// Returns the light whose S on this unit plane has this row at `index`, which counts from 0. The row determines L_i
-/// and Π·L. `others` gives the light's other numbers; if they give a different Π·L, one of the light's x, y, z is
-/// adapted, provided that only this one affects Π·L. None if there is no such light, and for a row of zeros.
+/// Returns the light whose shadow matrix on this plane, which has a unit normal, has this row at `index` (counted from
+/// 0). The row determines L_i and Π·L. `others` gives the light's other numbers; if they give a different Π·L, one of
+/// the light's x, y, z is adapted, provided that only this one affects Π·L. None if there is no such light, and for a
+/// row of zeros.
 std::optional<glm::dvec4> light_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& plane,
                                               const glm::dvec4& others);
 

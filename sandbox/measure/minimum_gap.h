@@ -11,9 +11,9 @@
 namespace viewing {
 
 /// Searches with GL, using the state's lens, depth format, mapping, test, function and mask; ignores its offset, its
-/// scene, and whether it clears correctly. The pair is placed where depth has its coarsest resolution: at the far end
-/// of a code near `distance`. A gap is wide enough if no pixel is wrong, whichever quad is drawn first. Draws one
-/// picture per step, so that a window can do other work in between.
+/// scene, and whether it clears correctly. The pair is placed where depth resolution is coarsest: at the far end of the
+/// interval that one code covers, close to `distance`. A gap is wide enough if no pixel is wrong, whichever quad is
+/// drawn first. Draws one picture per step, so that a window can do other work in between.
 class MinimumGapSearch {
 public:
     MinimumGapSearch(const Renderer& renderer, const Params& state, double distance);

@@ -1,5 +1,5 @@
-// Reports, as JSON, how four ways of making the mirror image of a state differ. Read measure/mirror_measure.h for the
-// counting.
+// Reports, as JSON, how four ways of making the mirror image of a state differ. See measure/mirror_measure.h for how
+// pixels are counted.
 #pragma once
 
 #include "render/renderer.h"

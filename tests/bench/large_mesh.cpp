@@ -1,6 +1,6 @@
-// Measures how much a million-triangle mesh adds to a frame's cost in our own code, compared with an empty scene. The
-// frame computes the numbers, the plan, the problems and what the other views request, while the camera or the light
-// moves. This program only reports; it never fails.
+// Measures how much a million-triangle mesh adds to a frame's cost in our own code, compared with an empty scene. While
+// the camera or the light moves, each frame recomputes the derived values, the plan, the problems and whatever the
+// lower views request. This program only reports; it never fails.
 #include <benchmark/benchmark.h>
 
 #include "frame/depth/near_advice.h"

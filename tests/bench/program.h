@@ -26,7 +26,7 @@ struct Measured {
     std::string output;
 };
 
-/// Runs the command to its end. If it does not exit with 0, this program ends with a message.
+/// Runs the command to completion. If it does not exit with 0, this program ends with a message.
 Measured run(const Command& command);
 
 }  // namespace viewing::bench

@@ -109,7 +109,7 @@ public:
         return seen(ray.origin, ray.direction);
     }
 
-    /// Returns the patch that would be visible without solids, with the lights missing there.
+    /// Returns the patch that would be visible if there were no solids, and which lights are missing at that point.
     Met patch_at(double x, double y, int width, int height) const {
         const Ray ray = line_of_sight(x, y, width, height);
         double t = camera_.far;

@@ -1,5 +1,6 @@
-// Where surfaces fight, a pixel's fragments are reconciled with the values read back. Then the last drawn fragment is
-// the visible one, and rounding is blamed only where the computed list had another winner.
+// Where surfaces fight, a pixel's fragments are reconciled with the values read back. After that, the last fragment in
+// the list that was drawn is the visible one, and rounding is blamed only where the computed list had a different
+// winner.
 #include "frame/depth/reconcile.h"
 
 #include <bit>
@@ -20,7 +21,7 @@ class Reconcile : public testing::GlTest {
 protected:
     struct Seen {
         int surfaces = 0;      ///< pixels that show a surface
-        int other_winner = 0;  ///< pixels where the computed list has another winner
+        int other_winner = 0;  ///< pixels where the computed list has a different winner
         int blamed = 0;        ///< pixels where rounding is reported to decide some fragment
         double worst = 0.0;    ///< difference between the computed and read-back depth in codes, for the same winner
     };

@@ -178,7 +178,7 @@ TEST_F(AnswerJudgeSlowTest, RevealedQuestionsGetTheirRightAnswer) {
     EXPECT_EQ(guide.run()->model()->numbers, std::vector<double>{2012}) << "not the rays'";
 }
 
-/// An offscreen picture does not wait for the judge: its strip shows the verdict in its first frames.
+/// For an offscreen picture, the judge blocks until it has a verdict, so the strip shows it from the first frame on.
 TEST_F(AnswerJudgeTest, APictureHasTheVerdictImmediately) {
     set_units(-40.0);
     studio_->frame({.size_px = {1280, 720}, .input = {}});

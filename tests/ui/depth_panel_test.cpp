@@ -151,7 +151,7 @@ TEST_F(DepthPanel, TheExplanationShowsItsRowsAndStopsAfterAPass) {
     const Derived derived = derive(params, desk.session.scene(), Viewport{size_px});
     const FramePlan frame = plan(params, derived);
     const FragmentFinder finder(desk.session.scene());
-    // The middle of the floor's front edge shows the floor, whatever the size of the picture.
+    // This pixel, at the middle of the floor's front edge, shows the floor at any picture size.
     const glm::ivec2 pixel(size_px.x / 2, size_px.y - size_px.y / 8);
     desk.workbench.views.why.told = std::make_shared<const Why>(
         why({params, derived, frame, finder, Viewport{size_px}, {}, pixel, std::nullopt, {}}));

@@ -34,7 +34,7 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived);
 /// Returns a curve's name: "24 bit", "24 rev", "float log".
 std::string short_name(DepthFormat format, DepthMapping mapping);
 
-/// Codes at intervals that are equal up to rounding, from the code of near to that of far.
+/// Evenly spaced codes (up to rounding), from the near plane's code to the far plane's.
 struct DepthCodes {
     std::vector<std::uint32_t> codes;   ///< as stored; for a float format, its bits
     std::vector<double> eye_distances;  ///< the distances they represent

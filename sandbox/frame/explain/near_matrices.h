@@ -9,7 +9,8 @@ inline double entry(const glm::dmat4& m, int row, int column) {
     return m[column][row];
 }
 
-/// Compares numbers up to rounding: `tolerance`, and 2e-6 of the larger one for float32.
+/// Returns whether two numbers differ by at most `tolerance` plus 2e-6 of the larger magnitude, which allows for
+/// float32 rounding.
 bool is_near(double a, double b, double tolerance);
 bool is_same(const glm::dmat4& a, const glm::dmat4& b, double tolerance);
 /// Compares two matrices up to a factor that is not zero.

@@ -35,7 +35,7 @@ struct HiddenDrawing {
         bool is_decal;
     };
 
-    glm::dvec3 origin_world{0.0};  ///< the eye: far from the world's origin, float32 is too coarse for world positions
+    glm::dvec3 origin_world{0.0};  ///< the eye; float32 is too coarse for world positions far from the world's origin
     std::vector<OrderedVertex> triangles;  ///< three vertices per triangle, in drawing order
     std::vector<Run> runs;                 ///< the runs of all triangles, in order
     glm::ivec2 size_px{0};

@@ -352,8 +352,8 @@ bool is_seen_beyond(const Params& params, const Derived& derived, const Thrown& 
     return lands_beyond(scene, landing);
 }
 
-/// Returns whether a shadow may fall on a patch that was drawn before its own and has the same stencil value: the
-/// shadow lies in front of that patch's plane, as the eye sees it, and in the picture.
+/// Returns whether a shadow may also show on another patch that was drawn before the shadow's own and has the same
+/// stencil value: the shadow is in the picture and, seen from the eye, in front of that patch's plane.
 bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow, const Scene& scene) {
     const glm::dmat4 landed = shadow.cast.sign * shadow.cast.shadowed_world_from_world;
     const glm::dmat4 clip_from_world = derived.clip_from_world * landed;

@@ -49,7 +49,8 @@ ShadedPoint interpolated(const std::array<glm::dvec3, 3>& positions, const std::
     return made;
 }
 
-/// Returns the point of an object's mesh, of a method's ordered triangles, or of a method's picture.
+/// Returns the surface point that a fragment shades: on an object's mesh, on a method's ordered triangles, or in a
+/// method's picture.
 ShadedPoint point_of(const FramePlan& plan, const Pass& pass, const Scene& scene, const Fragment& fragment,
                      glm::ivec2 pixel, glm::ivec2 size_px) {
     const auto first = 3 * static_cast<std::size_t>(fragment.triangle);

@@ -215,8 +215,8 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
 
 namespace {
 
-/// Returns the pixel where an image belongs if it differs from the explained pixel because the image is drawn with
-/// another lens or a wrong matrix.
+/// Returns the pixel where an image should be if that is not the explained pixel, because the image is drawn with a
+/// different lens or a wrong matrix.
 std::optional<glm::ivec2> pixel_elsewhere(const WhyQuestion& question, const glm::dvec3& image_world) {
     const glm::dvec4 clip = question.derived.clip_from_world * glm::dvec4(image_world, 1.0);
     if (!(clip.w > 0.0)) return std::nullopt;

@@ -15,8 +15,8 @@ bool may_differ_beside(std::string_view path);
 /// (for instance, if far was lowered below a changed near). Without a second picture, returns `params`.
 Params beside_params(const Params& params);
 
-/// Makes the second picture show `other`: the fields in which it differs become view.beside.set. Differences that the
-/// second picture cannot have are ignored. Returns whether any difference is left; if none is, changes nothing.
+/// Makes the second picture show `other`: the fields in which it differs become view.beside.set. Differences in fields
+/// that both pictures must share are ignored. Returns whether any difference is left; if none is, changes nothing.
 bool show_beside(Params& params, Params other);
 
 }  // namespace viewing

@@ -11,7 +11,7 @@ namespace viewing {
 
 namespace {
 
-constexpr double rounding_deg = 0.01;  // makes an angle equal to the crease angle count as smooth
+constexpr double rounding_deg = 0.01;  // so that an angle exactly at the crease angle still counts as smooth
 
 struct Face {
     std::uint32_t begin, end;  ///< the range of its corners

@@ -92,7 +92,7 @@ Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
     return std::monostate{};
 }
 
-/// Returns whether any triangle has an area; `unit` is half the mesh's longest side.
+/// Returns whether any triangle has a nonzero area; `unit` is half the mesh's longest side.
 bool has_area(const Mesh& mesh, double unit) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::dvec3 a(mesh.positions[mesh.indices[i]]);

@@ -70,7 +70,7 @@ bool PolygonCutter::is_ear(Index corner) {
     return !is_blocked;
 }
 
-/// Fills the grid with the hollow corners. Called again when so few of them are left that most cells are empty.
+/// Fills the grid with the reflex corners. Called again when so few of them are left that most cells are empty.
 void PolygonCutter::fill_grid() {
     std::erase_if(hollows_, [this](Index corner) { return !is_hollow_[corner]; });
     if (!hollows_.empty()) grid_.fill(flat_, hollows_);

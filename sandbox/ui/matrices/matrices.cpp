@@ -370,7 +370,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     if (has("S") || has("R")) choose_pair(session.params);
     const bool has_both = has("V") && has("C");
     bool shows_camera = has("V") ? choice.shows_camera : !choice.shows_camera;
-    // Put two matrices side by side if they fit, but make none too wide to read quickly.
+    // Put two matrices side by side if they fit, but never make one too wide to read at a glance.
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = listed.size() > 1 && room >= 2.0F * px(360.0F) ? 2 : 1;
     const float width = std::min(room, static_cast<float>(columns) * px(600.0F));

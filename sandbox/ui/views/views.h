@@ -51,8 +51,8 @@ struct LowerChoice {
 /// State of the views; persists between frames.
 struct ViewState {
     bool handles = true;
-    /// The fields and groups that handles may change while a lesson's question is open; nullopt: all of them. Holding
-    /// Ctrl lifts the restriction.
+    /// The fields and groups that can be changed with handles while a lesson's question is open; nullopt: all of them.
+    /// Holding Ctrl lifts the restriction.
     std::optional<std::vector<std::string>> movable;
     bool marks_lights = true, marks_plane = true;  ///< in the camera view
     bool marks_derivation = true;                  ///< also for the point that is used if none is followed

@@ -14,7 +14,7 @@ struct WayPlaces {
 };
 WayPlaces way_places(const Rect& rect);
 
-/// Returns, in the NDC of a picture that fills `rect`, the part that the view's text leaves free.
+/// Returns the part of a picture filling `rect` that the view's text leaves free, in the picture's NDC.
 Edges free_of_numbers(const Rect& rect);
 
 /// Advances view.way by `dt_s`. The point rests in each space for a moment, and then moves to the next one or, if
