@@ -121,7 +121,7 @@ bool is_accepted(const Params& before, const Change& change) {
 }
 
 /// Returns the state without the mistakes whose sentences say that codes or the drawing order decide which surface
-/// wins.
+/// wins, or that the insides of objects show, whose bottoms lie in the floor.
 Params without_chance(Params params) {
     params.depth.format = DepthFormat::d24;
     params.depth.func = CompareFunc::less;
@@ -324,6 +324,7 @@ const std::vector<JudgedState>& found_in_long_runs() {
         {"mirrors-facing", {"reflection.side_of_eye=false"}},
         {"front-faces-culled", {"reflection.stencil=false"}},
         {"mirror-plus-2ab", {"reflection.stencil=false"}},
+        {"mirror-inside-out", {"cull.face=front", "reflection.stencil=false"}},
         {"mirror-from-behind", {"shadow.stencil_once=false", "depth.format=d5", "reflection.mask_writes_depth=true"}},
         {"mirror-oblique-depth",
          {"depth.format=d8", "reflection.mask_writes_depth=true", "reflection.reflect_light=false"}},
