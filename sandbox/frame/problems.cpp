@@ -251,6 +251,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
                is_misplaced = has_problem(problems, "reflection.by_rows") ||
                               has_problem(problems, "reflection.plus_2ab") ||
                               has_problem(problems, "reflection.normal_not_unit"),
+               is_by_rows = has_problem(problems, "shadow.by_rows"),
                is_masked = has_problem(problems, "reflection.hides_image"),
                is_beyond_far = has_problem(problems, "view.image_beyond_far"),
                is_hidden =
@@ -268,7 +269,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
         if (is_painted && problem.fixed_by == clip) return true;
-        if (problem.id == "shadow.anti_shadow" && has_problem(problems, "shadow.by_rows")) return true;
+        if (is_by_rows && problem.group == "shadow" && problem.id != "shadow.by_rows") return true;
         if (is_beyond_far && problem.group == "reflection") return true;
         if (is_masked && problem.group == "reflection" && problem.id != "reflection.hides_image") return true;
         if ((is_misplaced || has_problem(problems, "shadow.fights")) && problem.id == "reflection.no_shadows_inside")
