@@ -329,6 +329,7 @@ const std::vector<JudgedState>& found_in_long_runs() {
         {"mirrors-facing", {"reflection.side_of_eye=false"}},
         {"front-faces-culled", {"reflection.stencil=false"}},
         {"mirror-plus-2ab", {"reflection.stencil=false"}},
+        {"fighting-reversed-clip-range", {"depth.write_while_clearing=false", "depth.format=d5", "depth.func=gequal"}},
         {"fighting-reversed", {"shadow.enabled=true", "slips.shadow_by_rows=true", "plane.gloss=true"}},
         {"shadow-to-infinity", {"depth.func=equal", "slips.shadow_by_rows=true", "depth.func=lequal"}},
         {"mirror-inside-out", {"cull.face=front", "reflection.stencil=false"}},
