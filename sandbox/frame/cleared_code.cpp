@@ -26,6 +26,11 @@ bool lets_nearer_win(const Params& params) {
     return params.visibility.method == VisibilityMethod::depth_buffer && wants_nearer(params.depth);
 }
 
+bool last_fragment_wins(const Params& params) {
+    return params.visibility.method == VisibilityMethod::none ||
+           (params.visibility.method == VisibilityMethod::depth_buffer && count_of_last_wins(params.depth) > 0);
+}
+
 bool previous_frame_hides(const Params& params) {
     return params.visibility.method == VisibilityMethod::depth_buffer && hides_next_frame(params.depth);
 }

@@ -13,6 +13,9 @@ double start_of_cleared_code(const Params& params);
 /// Returns whether GL's depth buffer decides what is visible, and lets nearer surfaces win.
 bool lets_nearer_win(const Params& params);
 
+/// Returns whether the last fragment drawn wins, for objects or for what is drawn after them.
+bool last_fragment_wins(const Params& params);
+
 /// Returns whether the depths left by an identical previous frame hide this frame: hides_next_frame().
 bool previous_frame_hides(const Params& params);
 

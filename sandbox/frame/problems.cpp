@@ -241,8 +241,8 @@ bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
 /// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
 /// value are drawn over each other, the mirror's own depth of this or the previous frame hides them, or far cuts them
 /// off, clipping while the mirror covers whatever is in front, those of shadows while an offset pushes them behind
-/// their planes or a wrong R misplaces them, and all others while what was drawn in the previous frame is rejected. The
-/// sentences about clearing and about GL_NOTEQUAL keep theirs.
+/// their planes or a wrong R or S misplaces them, and all others while what was drawn in the previous frame is
+/// rejected. The sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const DepthParams& depth = params.depth;
     const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,
@@ -252,6 +252,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
                is_misplaced = has_problem(problems, "reflection.by_rows") ||
                               has_problem(problems, "reflection.plus_2ab") ||
                               has_problem(problems, "reflection.normal_not_unit"),
+               is_by_rows = has_problem(problems, "shadow.by_rows"),
                is_masked = has_problem(problems, "reflection.hides_image"),
                is_beyond_far = has_problem(problems, "view.image_beyond_far"),
                is_hidden =
@@ -269,6 +270,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
         if (is_painted && problem.fixed_by == clip) return true;
+        if (is_by_rows && problem.group == "shadow" && problem.id != "shadow.by_rows") return true;
         if (is_beyond_far && problem.group == "reflection") return true;
         if (is_masked && problem.group == "reflection" && problem.id != "reflection.hides_image") return true;
         if ((is_misplaced || has_problem(problems, "shadow.fights")) && problem.id == "reflection.no_shadows_inside")

@@ -126,7 +126,6 @@ Params without_chance(Params params) {
     params.depth.format = DepthFormat::d24;
     params.depth.func = CompareFunc::less;
     params.depth.logarithm_per_vertex = false;
-    params.cull.face = CullFace::back;
     params.depth.buffer = params.depth.test = params.depth.write = true;
     params.shadow.write_depth = false;
     return params;
@@ -201,11 +200,17 @@ protected:
         return changed_pixels(before, after) <= few_pixels || before.sentences != after.sentences;
     }
 
-    /// Returns whether the change is named if codes do not decide. In both states, a sentence says that they do.
+    /// Returns whether the change is named if codes do not decide, although a sentence says in both states that they
+    /// do, or if fronts are not culled, whose absence shows the bottoms of objects, which lie in the floor and fight
+    /// with it.
     static bool is_named_without_chance(const Params& state, const Shown& after, const Change& change,
                                         const Scene& scene) {
-        return is_left_to_chance(after.problems) &&
-               is_named(shown(without_chance(state), scene), shown(without_chance(change.params), scene));
+        const bool shows_insides = std::any_of(after.problems.begin(), after.problems.end(),
+                                               [](const Problem& problem) { return problem.id == "cull.front"; });
+        if (!shows_insides && !is_left_to_chance(after.problems)) return false;
+        Params before = without_chance(state), now = without_chance(change.params);
+        if (shows_insides) before.cull.face = now.cull.face = CullFace::back;
+        return is_named(shown(before, scene), shown(now, scene));
     }
 
     /// Checks one change of a state, and returns whether the picture changed. `before`: shown(state, scene).
@@ -324,6 +329,10 @@ const std::vector<JudgedState>& found_in_long_runs() {
         {"mirrors-facing", {"reflection.side_of_eye=false"}},
         {"front-faces-culled", {"reflection.stencil=false"}},
         {"mirror-plus-2ab", {"reflection.stencil=false"}},
+        {"fighting-reversed-clip-range", {"depth.write_while_clearing=false", "depth.format=d5", "depth.func=gequal"}},
+        {"fighting-reversed", {"shadow.enabled=true", "slips.shadow_by_rows=true", "plane.gloss=true"}},
+        {"shadow-to-infinity", {"depth.func=equal", "slips.shadow_by_rows=true", "depth.func=lequal"}},
+        {"mirror-inside-out", {"cull.face=front", "reflection.stencil=false"}},
         {"mirror-from-behind", {"shadow.stencil_once=false", "depth.format=d5", "reflection.mask_writes_depth=true"}},
         {"mirror-oblique-depth",
          {"depth.format=d8", "reflection.mask_writes_depth=true", "reflection.reflect_light=false"}},

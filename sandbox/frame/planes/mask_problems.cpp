@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
-#include "frame/depth_switches.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/object_reach.h"
 #include "frame/planes/drawn_mirrors.h"
@@ -137,9 +136,8 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
         return may_reach(scene, forms_over_patch(derived, mirror, mirror.towards_eye()));
     };
     const bool culls_all = params.cull.enabled && params.cull.face == CullFace::front_and_back,
-               is_blended_over = is_drawn_by_gl_alone(params.visibility.method) &&
-                                 (reflection.stencil || params.visibility.method == VisibilityMethod::none ||
-                                  count_of_last_wins(params.depth) > 0);
+               is_blended_over =
+                   is_drawn_by_gl_alone(params.visibility.method) && (reflection.stencil || last_fragment_wins(params));
     // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other
     // depths.
     const bool is_unmarked = reflection.clip == MirrorClip::oblique &&
