@@ -160,7 +160,7 @@ void say_clipping(Sayer& tell, const Params& params, const Derived& derived, con
         is_wrong_side && reflection.clip == MirrorClip::oblique,
         sentence("reflection.behind_clipped",
                  "the mirror is seen from behind, but the oblique near plane keeps the side that the normal points to: "
-                 "nothing of the image is left for this eye"),
+                 "none of the image is left for this eye"),
         params.slips.oblique_in_world ? "" : "reflection.side_of_eye");
     tell.broken(
         is_wrong_side && reflection.clip != MirrorClip::oblique,
