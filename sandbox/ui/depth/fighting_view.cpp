@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "frame/depth/depth_precision.h"
 #include "text/catalogue.h"
@@ -35,10 +36,9 @@ constexpr std::array<ColumnText, fighting_columns> columns = {{
             "arithmetic error. Red if the pair's gap is narrower."),
      "column:fighting.safe_gap"},
     {marked("predicted"),
-     marked(
-         "The predicted range for the pair's fraction of wrong pixels, whatever errors float32 arithmetic makes before "
-         "the depth is stored. With 24 bits or a float, the arithmetic is as coarse as the codes, so that the formulas "
-         "predict nothing: the mean of the 12 jittered cameras is counted instead, ± 2 standard errors."),
+     marked("The predicted range for the pair's fraction of wrong pixels, whatever errors float32 arithmetic makes "
+            "before the depth is stored. ≈ marks a mean that the 12 jittered cameras count, ± 2 standard errors: with "
+            "24 bits or a float, the arithmetic is as coarse as the codes, and the formulas predict nothing."),
      "column:fighting.predicted"},
     {marked("jittered"),
      marked("The mean and the range of the fraction of wrong pixels over 12 cameras, each jittered by a thousandth of "
@@ -73,11 +73,11 @@ std::string percents(double least, double most) {
     return low == high ? low : say("{least} – {most}", "least"_a = low, "most"_a = high);
 }
 
-/// Returns the mean of what the jittered cameras count, for pairs without a prediction: "counted 45.0% ± 18.2%".
+/// Returns the mean that the jittered cameras count, for pairs without a prediction: "≈ 45 ± 18%".
 std::string counted_share(const ShareSpread& spread) {
     if (spread.cameras < 2) return "–";
-    return say("counted {mean} ± {share}", "mean"_a = percent(spread.mean()),
-               "share"_a = percent(2.0 * spread.standard_error()));
+    const auto percents_of = [](double share) { return std::to_string(std::lround(100.0 * share)); };
+    return "≈ " + percents_of(spread.mean()) + " ± " + percents_of(2.0 * spread.standard_error()) + "%";
 }
 
 PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) {
