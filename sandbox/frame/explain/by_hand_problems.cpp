@@ -160,7 +160,7 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
         case MatrixFault::plus_2ab:
             return sentence(
                 "by_hand.plus_2ab",
-                "{matrix} entered by hand has +2ab in row 2, column 1, as in one line of the slide: it is −2ab",
+                "{matrix} entered by hand has +2ab in row 2, column 1, as in one line of the slide: it should be −2ab",
                 "matrix"_a = matrix);
         default:
             return std::nullopt;

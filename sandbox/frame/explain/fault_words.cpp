@@ -58,7 +58,8 @@ FaultWords fault_words(const ExplainedMatrix& found) {
             return {"not_unit_normal", marked("its normal is not a unit vector"),
                     marked("divide (a, b, c, d) by |n| first")};
         case MatrixFault::plus_2ab:
-            return {"plus_2ab", marked("row 2, column 1 is +2ab, as in one line of the slide"), marked("it is −2ab")};
+            return {"plus_2ab", marked("row 2, column 1 is +2ab, as in one line of the slide"),
+                    marked("it should be −2ab")};
         case MatrixFault::different:
             return {"different", "", ""};
         case MatrixFault::unknown:
