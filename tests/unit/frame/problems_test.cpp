@@ -370,7 +370,7 @@ const std::vector<Case>& cases() {
           "camera.pitch=0", "plane.equation=[0,0,1,3]"}},
         // matrices entered by hand
         {"shadow",
-         "sign(n·ℓ + d) = −1 turns it",
+         "sign(n·ℓ + d) = −1 makes it",
          box_scene,
          {"overrides.shadow_from_world=[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", "plane.equation=[0,-1,0,0]"},
          {"overrides.shadow_from_world=[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", "plane.equation=[0,-1,0,0]",
