@@ -216,9 +216,9 @@ bool has_offset(const Params& params, const Derived& derived, const Scene& scene
     const DepthParams& depth = params.depth;
     const ShadowParams& shadow = params.shadow;
     const bool moves_decals = depth.offset != DepthOffset{} && depth.decals == DecalMethod::offset && has_decals(scene);
-    const bool moves_shadows = shadow.enabled && shadow.offset == ShadowOffset::polygon_offset &&
-                               (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0) &&
-                               may_show_shadows(params, derived, scene, frame);
+    const bool moves_shadows =
+        shadow.enabled && shadow.style == ShadowStyle::blend && shadow.offset == ShadowOffset::polygon_offset &&
+        (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0) && may_show_shadows(params, derived, scene, frame);
     return moves_decals || moves_shadows;
 }
 
