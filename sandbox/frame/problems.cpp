@@ -270,7 +270,9 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
         if (is_painted && problem.fixed_by == clip) return true;
-        if (is_by_rows && problem.group == "shadow" && problem.id != "shadow.by_rows") return true;
+        if (is_by_rows && problem.id != "shadow.by_rows" &&
+            (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
+            return true;
         if (is_beyond_far && problem.group == "reflection") return true;
         if (is_misplaced && problem.id == "reflection.wrong_side") return true;
         if (is_masked && problem.group == "reflection" && problem.id != "reflection.hides_image") return true;

@@ -424,6 +424,7 @@ const std::vector<JudgedState>& found_in_long_runs() {
          {"slips.camera_as_view=true", "reflection.stencil=false", "reflection.printed_by_rows=true"}},
         {"mirrors-facing", {"reflection.printed_by_rows=true", "reflection.side_of_eye=false"}},
         {"fighting-offset-too-little", {"depth.func=lequal", "depth.mapping=logarithmic"}},
+        {"mirrors-facing-once", {"shadow.sign=forced", "slips.shadow_by_rows=true", "reflection.shadows=false"}},
         {"mirror-normal-not-unit",
          {"depth.reversed_offset=false", "shadow.style=missing_light", "depth.mapping=reversed"}},
     };
