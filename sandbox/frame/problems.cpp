@@ -9,7 +9,6 @@
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/planes/drawn_mirrors.h"
 #include "frame/say.h"
-#include "state/file/json.h"
 
 namespace viewing {
 namespace {
@@ -259,7 +258,6 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
                    lets_nearer_win(params) && depth.write && !clears_depth(depth) && !params.reflection.after_objects,
                is_painted = tests && count_of_last_wins(depth) > 0,
                is_rejected = tests && (rejects_previous_frame(depth) || hides_next_frame(depth));
-    const std::string clip = default_setting("reflection.clip");
     const auto waits = [&](const Problem& problem) {
         const bool is_about_clearing = problem.id == "depth.not_cleared" || problem.id == "depth.cleared_with_mask_off";
         if (is_about_clearing) return tests && depth.func == CompareFunc::notequal;
@@ -269,7 +267,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
         if (is_pushed && problem.id != "shadow.pushed_away" && problem.id != "shadow.beyond_edge" &&
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
-        if (is_painted && problem.fixed_by == clip) return true;
+        if (is_painted && problem.fixed_by.starts_with("reflection.clip=")) return true;
         if (is_by_rows && problem.id != "shadow.by_rows" &&
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;

@@ -44,13 +44,18 @@ std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& deri
     return forms;
 }
 
+std::vector<glm::dvec4> forms_of_drawn_image(const Params& params, const Derived& derived, const Mirror& mirror,
+                                             const glm::dmat4& clip_from_scene) {
+    std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, clip_from_scene);
+    const glm::dmat4 clip = glm::transpose(clip_from_scene);
+    forms.insert(forms.end(), {mirror.kept_side(params.reflection), clip[3] + clip[2], clip[3] - clip[2]});
+    return forms;
+}
+
 bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                     const glm::dmat4& clip_from_scene) {
     if (params.cull.enabled && params.cull.face == CullFace::front_and_back) return false;
-    std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, clip_from_scene);
-    forms.push_back(mirror.kept_side(params.reflection));
-    const glm::dmat4 clip = glm::transpose(clip_from_scene);
-    forms.insert(forms.end(), {clip[3] + clip[2], clip[3] - clip[2]});
+    const std::vector<glm::dvec4> forms = forms_of_drawn_image(params, derived, mirror, clip_from_scene);
     if (!params.reflection.stencil) return may_reach(scene, forms);
     return may_see(params, derived, scene, forms, on_mirror_from_scene(derived, mirror, clip_from_scene));
 }

@@ -37,6 +37,10 @@ glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, co
 std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
                                        const glm::dmat4& clip_from_scene);
 
+/// Returns the same and three more, which are positive on the kept side of the mirror and between near and far.
+std::vector<glm::dvec4> forms_of_drawn_image(const Params& params, const Derived& derived, const Mirror& mirror,
+                                             const glm::dmat4& clip_from_scene);
+
 /// Returns whether part of an object may be drawn with this matrix, inside the picture and the mirror, and not covered.
 bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                     const glm::dmat4& clip_from_scene);

@@ -31,10 +31,7 @@ namespace {
 std::vector<glm::dvec4> forms_in_front(const Params& params, const Derived& derived, const Mirror& mirror) {
     Params in_patch = params;  // beside the patch, it is not this that lets the image show
     in_patch.reflection.stencil = true;
-    std::vector<glm::dvec4> forms = forms_of_image(in_patch, derived, mirror, mirror.clip_from_scene);
-    forms.push_back(mirror.kept_side(params.reflection));
-    const glm::dmat4 clip = glm::transpose(mirror.clip_from_scene);
-    forms.insert(forms.end(), {clip[3] + clip[2], clip[3] - clip[2]});
+    std::vector<glm::dvec4> forms = forms_of_drawn_image(in_patch, derived, mirror, mirror.clip_from_scene);
     forms.push_back(mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene));
     forms.back().w -= standing;
     return forms;

@@ -137,17 +137,15 @@ std::vector<WayThroughMirrors> seen_ways(const Params& params, const Derived& de
 }
 
 /// Returns whether a mirror is seen from behind but shows the side that its normal points to.
-bool shows_wrong_side(const Params& params, const Derived& derived, const FramePlan& frame) {
-    if (params.reflection.side_of_eye) return false;
-    const std::vector<WayThroughMirrors> ways = seen_ways(params, derived, frame);
-    return std::any_of(ways.begin(), ways.end(), [](const WayThroughMirrors& way) { return way.is_from_behind; });
+bool shows_wrong_side(const ReflectionParams& reflection, std::span<const WayThroughMirrors> ways) {
+    return !reflection.side_of_eye &&
+           std::any_of(ways.begin(), ways.end(), [](const WayThroughMirrors& way) { return way.is_from_behind; });
 }
 
 /// Reports what clipping removes from the image, and what it fails to remove.
-void say_clipping(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
-                  const FramePlan& frame) {
+void say_clipping(Sayer& tell, const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
+                  const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
-    const std::vector<WayThroughMirrors> ways = seen_ways(params, derived, frame);
     tell.broken(
         reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
             params.depth.mapping == DepthMapping::logarithmic && shows_any_behind(params, derived, ways, scene),
@@ -155,7 +153,7 @@ void say_clipping(Sayer& tell, const Params& params, const Derived& derived, con
             "reflection.oblique_with_logarithm",
             "the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
         "reflection.clip");
-    const bool is_wrong_side = shows_wrong_side(params, derived, frame);
+    const bool is_wrong_side = shows_wrong_side(reflection, ways);
     tell.broken(
         is_wrong_side && reflection.clip == MirrorClip::oblique,
         sentence("reflection.behind_clipped",
@@ -334,11 +332,12 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (mirrors.empty()) return;
     Sayer tell(problems, "reflection");
     find_mask_problems(problems, params, derived, mirrors, scene);
+    const std::vector<WayThroughMirrors> ways = seen_ways(params, derived, frame);
     const bool is_in_world = params.slips.oblique_in_world && params.reflection.clip == MirrorClip::oblique;
     if (is_in_world)
-        say_oblique_in_world(tell, params, derived, mirrors, scene, frame, shows_wrong_side(params, derived, frame));
+        say_oblique_in_world(tell, params, derived, mirrors, scene, frame, shows_wrong_side(params.reflection, ways));
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
-    say_clipping(tell, params, derived, scene, frame);
+    say_clipping(tell, params, derived, ways, scene);
     say_slips(tell, params, derived, mirrors, scene);
     const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
         return !mirror.is_in_view || mask_hides_all(params, derived, mirror, scene);
