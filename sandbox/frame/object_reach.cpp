@@ -360,8 +360,7 @@ bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
 bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
              const glm::dmat4& place_from_world) {
     constexpr double least_area = 0.5 * 4.0 / (400.0 * 240.0);  // in normalized device coordinates
-    const bool covers_nothing = (params.cull.enabled && params.cull.face == CullFace::front_and_back) ||
-                                (params.reflection.enabled && params.reflection.after_objects);
+    const bool covers_nothing = culls_all(params) || (params.reflection.enabled && params.reflection.after_objects);
     double area = 0.0;
     const auto take = [&](const SceneObject& object, const std::vector<glm::dvec4>& part) {
         std::vector<glm::dvec3> places;

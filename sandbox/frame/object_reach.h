@@ -84,6 +84,11 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 /// Returns whether all forms are positive on part of a patch.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
+/// Returns whether culling leaves no triangle of the objects.
+inline bool culls_all(const Params& params) {
+    return params.cull.enabled && params.cull.face == CullFace::front_and_back;
+}
+
 /// Returns whether the eye may see more than half a pixel of a shadow or an image: `place_from_world` sends the parts
 /// of the surfaces where all forms are positive to places in the picture (w > 0) that no object covers. Objects that
 /// are drawn before the planes, or culled, cover nothing.

@@ -138,8 +138,7 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
 /// needs.
 void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                std::span<const FlatPair> pairs) {
-    const bool culls_all = params.cull.enabled && params.cull.face == CullFace::front_and_back;
-    if (culls_all || !is_cleared_to_farthest(params.depth) || has_bent_depth(params.depth)) return;
+    if (culls_all(params) || !is_cleared_to_farthest(params.depth) || has_bent_depth(params.depth)) return;
     say_small_offset(tell, params, derived, scene, pairs);
     const std::vector<FightingPair> fighting = fighting_pairs(params, derived, scene, pairs);
     if (fighting.empty()) return;

@@ -54,7 +54,7 @@ std::vector<glm::dvec4> forms_of_drawn_image(const Params& params, const Derived
 
 bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                     const glm::dmat4& clip_from_scene) {
-    if (params.cull.enabled && params.cull.face == CullFace::front_and_back) return false;
+    if (culls_all(params)) return false;
     const std::vector<glm::dvec4> forms = forms_of_drawn_image(params, derived, mirror, clip_from_scene);
     if (!params.reflection.stencil) return may_reach(scene, forms);
     return may_see(params, derived, scene, forms, on_mirror_from_scene(derived, mirror, clip_from_scene));

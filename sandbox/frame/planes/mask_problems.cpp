@@ -29,7 +29,7 @@ namespace {
 /// Returns forms that are positive where the image lies in front of its mirror, as the picture shows it, by more than
 /// `standing`. Only without clipping, or with a wrong R or P, does part of an image lie there.
 std::vector<glm::dvec4> forms_in_front(const Params& params, const Derived& derived, const Mirror& mirror) {
-    Params in_patch = params;  // beside the patch, it is not this that lets the image show
+    Params in_patch = params;  // outside the patch, the image is visible for another reason
     in_patch.reflection.stencil = true;
     std::vector<glm::dvec4> forms = forms_of_drawn_image(in_patch, derived, mirror, mirror.clip_from_scene);
     forms.push_back(mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene));
@@ -132,9 +132,8 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     const auto is_covered = [&](const Mirror& mirror) {
         return may_reach(scene, forms_over_patch(derived, mirror, mirror.towards_eye()));
     };
-    const bool culls_all = params.cull.enabled && params.cull.face == CullFace::front_and_back,
-               is_blended_over =
-                   is_drawn_by_gl_alone(params.visibility.method) && (reflection.stencil || last_fragment_wins(params));
+    const bool is_blended_over =
+        is_drawn_by_gl_alone(params.visibility.method) && (reflection.stencil || last_fragment_wins(params));
     // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other
     // depths.
     const bool is_unmarked = reflection.clip == MirrorClip::oblique &&
@@ -159,7 +158,7 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 sentence("reflection.no_planes_inside",
                          "without the stencil, the mirror image shows no other plane and no other mirror"),
                 "reflection.stencil");
-    tell.broken(reflection.after_objects && is_blended_over && !culls_all &&
+    tell.broken(reflection.after_objects && is_blended_over && !culls_all(params) &&
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 sentence("reflection.covers_objects",
                          "the mirror is drawn last and without a depth test: it covers the objects in front of it"),
