@@ -18,33 +18,42 @@ namespace {
 constexpr float padding_x = 10.0F, padding_y = 4.0F, entry_gap = 5.0F;  ///< design pixels
 constexpr float letter_room = 24.0F;                                    ///< before a choice, for its letter
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
-constexpr float least_half = 330.0F;  ///< at twice this width or more, choices are in two columns
+constexpr float least_half = 330.0F;  ///< a half at least this wide has space for any choice
 
-int columns_of_choices(float width, float scale) {
-    return width >= 2.0F * least_half * scale ? 2 : 1;
-}
-
-float choices_width(float width, float scale) {
-    const int columns = columns_of_choices(width, scale);
-    return std::floor((width - entry_gap * scale * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-}
-
-Paragraph choice_text(const LessonText& say, float width, const widgets::Context& context, bool presents) {
-    const float scale = context.scale;
-    return paragraph(say.shown(), presents ? context.fonts.caption : context.fonts.text,
-                     choices_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
-}
-
-/// Returns the height of each row of choices, which is the height of its tallest choice.
-std::vector<float> row_heights(const Ask& ask, float width, const widgets::Context& context, bool presents) {
-    const auto columns = static_cast<std::size_t>(columns_of_choices(width, context.scale));
-    std::vector<float> rows((ask.choices.size() + columns - 1) / columns, 0.0F);
-    for (std::size_t i = 0; i < ask.choices.size(); ++i) {
-        const float height = choice_text(ask.choices[i].say, width, context, presents).height;
-        rows[i / columns] = std::max(rows[i / columns], std::ceil(height + 2.0F * padding_y * context.scale));
+/// A question's choices in one or two columns: two if the halves are wide, or if each choice fits into one line of a
+/// half.
+struct Choices {
+    Choices(const Ask& ask, float width, const widgets::Context& context, bool presents) {
+        const float half = std::floor((width - entry_gap * context.scale) * 0.5F);
+        std::vector<Paragraph> halves = texts_of(ask, half, context, presents);
+        const bool are_short = std::all_of(halves.begin(), halves.end(), [](const Paragraph& text) {
+            return text.lines.find('\n') == std::string::npos;
+        });
+        columns = width >= 2.0F * least_half * context.scale || are_short ? 2 : 1;
+        one_px = columns == 2 ? half : width;
+        texts = columns == 2 ? std::move(halves) : texts_of(ask, width, context, presents);
+        rows_px.assign((texts.size() + columns - 1) / columns, 0.0F);
+        for (std::size_t i = 0; i < texts.size(); ++i)
+            rows_px[i / columns] =
+                std::max(rows_px[i / columns], std::ceil(texts[i].height + 2.0F * padding_y * context.scale));
     }
-    return rows;
-}
+
+    std::size_t columns;
+    float one_px;  ///< the width of a choice
+    std::vector<Paragraph> texts;
+    std::vector<float> rows_px;  ///< the height of each row, that of its tallest choice
+
+private:
+    static std::vector<Paragraph> texts_of(const Ask& ask, float width, const widgets::Context& context,
+                                           bool presents) {
+        ImFont* const font = presents ? context.fonts.caption : context.fonts.text;
+        std::vector<Paragraph> texts;
+        for (const LessonChoice& choice : ask.choices)
+            texts.push_back(
+                paragraph(choice.say.shown(), font, width - (2.0F * padding_x + letter_room) * context.scale));
+        return texts;
+    }
+};
 
 /// Number of entry fields per row.
 std::size_t numbers_in_a_row(const Ask& ask) {
@@ -142,16 +151,16 @@ void draw_ground(ImVec2 min, ImVec2 max, const TileLook& look, bool hovered) {
 bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();
-    const float scale = context.scale, one = choices_width(width, scale);
-    const int columns = columns_of_choices(width, scale);
-    const std::vector<float> rows = row_heights(ask, width, context, style.presents);
+    const float scale = context.scale;
+    const Choices choices(ask, width, context, style.presents);
+    const float one = choices.one_px;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     Answer& answer = run.answer();
     bool given = false;
     float y = corner.y;
     for (std::size_t i = 0; i < ask.choices.size(); ++i) {
-        const int column = static_cast<int>(i) % columns;
-        const float height = rows[i / static_cast<std::size_t>(columns)];
+        const std::size_t column = i % choices.columns;
+        const float height = choices.rows_px[i / choices.columns];
         const ImVec2 min(corner.x + static_cast<float>(column) * (one + entry_gap * scale), y);
         const ImVec2 max(min.x + one, min.y + height);
         ImGui::SetCursorScreenPos(min);
@@ -163,7 +172,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
         const TileLook look{is_chosen, style.shows_right && ask.choices[i].right, is_told};
         draw_ground(min, max, look, style.is_open && ImGui::IsItemHovered());
         const char letter[] = {static_cast<char>('A' + i), '\0'};
-        const Paragraph text = choice_text(ask.choices[i].say, width, context, style.presents);
+        const Paragraph& text = choices.texts[i];
         ImDrawList* draw = ImGui::GetWindowDrawList();
         const float text_y = std::floor((min.y + max.y - text.height) * 0.5F);
         const ImU32 ink = style.shows_right && !ask.choices[i].right ? palette().quiet : palette().text;
@@ -174,7 +183,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
             run.forget_verdict();
             given = true;
         }
-        if (column == columns - 1 || i + 1 == ask.choices.size()) y += height + entry_gap * scale;
+        if (column + 1 == choices.columns || i + 1 == ask.choices.size()) y += height + entry_gap * scale;
     }
     ImGui::SetCursorScreenPos({corner.x, y});
     ImGui::Dummy({0.0F, 0.0F});
@@ -347,7 +356,7 @@ float answers_height(const Ask& ask, float width, const widgets::Context& contex
     const AnswerSizes sizes(context, presents);
     float height = 0.0F;
     if (ask.kind == AskKind::choice) {
-        for (const float row : row_heights(ask, width, context, presents)) height += row + sizes.gap();
+        for (const float row : Choices(ask, width, context, presents).rows_px) height += row + sizes.gap();
     } else if (is_typed(ask.kind)) {
         const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
         height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (sizes.frame_height() + sizes.gap());

@@ -91,16 +91,17 @@ void offer_to_type(Params& params, float left, const glm::dvec3& start) {
     widgets::Tooltip(type_button, "Follows a point that you can type here and drag in the views, instead of a vertex.");
 }
 
-/// Draws p's path through V and P to its pixel. If a lesson covers one of these matrices, also covers the numbers that
-/// would give it away.
-void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style) {
+/// Draws p's path through V and P to its pixel, or its first step alone. If a lesson covers one of these matrices, also
+/// covers the numbers that would give it away.
+void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style, bool only_view) {
     const CameraWay way = camera_way(params, derived, derived.followed->point_world);
-    const bool is_covered = widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P");
+    const bool is_covered = widgets::IsPartCovered("matrix:V") || (!only_view && widgets::IsPartCovered("matrix:P"));
     const auto line = [&](const char* name, const std::string& value, Role role) {
         const float width = std::ceil(number_width(name) + number_width(" "));
         followed_line("matrix:V", name, std::max(style.column, width), value, role, is_covered);
     };
     line("V p", vector_text(way.point_view, style.digits), Role::camera);
+    if (only_view) return;
     line("P V p", vector_text(glm::dvec3(way.point_clip), style.digits, &way.point_clip.w), Role::none);
     if (way.point_ndc)
         line("÷ w", vector_text(*way.point_ndc, style.digits), Role::camera);
@@ -120,8 +121,23 @@ void draw_camera_numbers(const Params& params, const Derived& derived, const Lin
 
 }  // namespace
 
+PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow, bool has_mirror) {
+    const auto has = [listed](const char* name) {
+        return std::find(listed.begin(), listed.end(), name) != listed.end();
+    };
+    if (!has("S") && !has("R") && has("P")) return PointNumbers::camera;
+    if (!has("S") && !has("R") && has("V")) return PointNumbers::view;
+    if (has_shadow == has_mirror) return PointNumbers::plane;
+    return has_shadow ? PointNumbers::shadow : PointNumbers::mirror;
+}
+
+int lines_of(PointNumbers numbers) {
+    static constexpr std::array lines{6, 3, 4, 2, 6, 11};
+    return lines[static_cast<std::size_t>(numbers)];
+}
+
 float followed_point_height(const Session& session, PointNumbers numbers) {
-    const int lines = numbers == PointNumbers::both ? 11 : 6;
+    const int lines = lines_of(numbers);
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float line = widgets::CurrentContext().fonts.number->FontSize, field = ImGui::GetFrameHeight();
     const auto& follow = session.params.follow;
@@ -173,25 +189,27 @@ void draw_followed_point(Session& session, const Derived& derived, PointNumbers 
     // starts farther right.
     const float wide = std::max(column_of("S p"), column_of(foot));
     const float column = fits(wide, 6) ? wide : column_of("S p");
+    const bool has_camera = numbers >= PointNumbers::view;
     const float first_column =
-        numbers == PointNumbers::plane
-            ? column
-            : std::max({column_of("P V p"), column_of(tr("window")), column_of(tr("code")), column});
+        !has_camera ? column : std::max({column_of("P V p"), column_of(tr("window")), column_of(tr("code")), column});
     const std::size_t digits = fits(first_column, 7) ? 7U : 6U;
     point_line(session.params, std::max(first_column, column_of("p")), vector_text(followed.point_world, digits));
-    if (numbers != PointNumbers::plane) draw_camera_numbers(session.params, derived, {first_column, digits});
-    if (numbers == PointNumbers::camera) return;
+    if (has_camera) draw_camera_numbers(session.params, derived, {first_column, digits}, numbers == PointNumbers::view);
+    if (has_camera && numbers != PointNumbers::both) return;
     const auto vector = [digits](const glm::dvec3& value, const double* w = nullptr) {
         return vector_text(value, digits, w);
     };
     const auto line = [&](const char* target, const char* name, const std::string& value, Role role) {
         followed_line(target, name, std::max(first_column, column_of(name)), value, role, widgets::IsCovered(target));
     };
-    line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);
-    if (followed.shadow_world)
-        line("follow:shadow", "÷ w", vector(*followed.shadow_world), Role::light);
-    else
-        line("follow:shadow", "÷ w", tr("at infinity: w = 0"), Role::trouble);
+    if (numbers != PointNumbers::mirror) {
+        line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);
+        if (followed.shadow_world)
+            line("follow:shadow", "÷ w", vector(*followed.shadow_world), Role::light);
+        else
+            line("follow:shadow", "÷ w", tr("at infinity: w = 0"), Role::trouble);
+    }
+    if (numbers == PointNumbers::shadow) return;
     line("follow:mirrored", "R p", vector(followed.mirrored_world), Role::mirror);
     line("follow:foot", foot, vector(followed.foot_world), Role::plane);
     line("follow:distance", "k", "= n·p + d = " + number_text(followed.plane_distance, 3), Role::plane);

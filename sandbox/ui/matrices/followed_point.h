@@ -2,13 +2,24 @@
 // path through V and P into the depth buffer.
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "frame/derive.h"
 #include "session/session.h"
 
 namespace viewing {
 
-/// The transformations of the point to show: the chosen plane's S and R, the camera's V and P, or all of them.
-enum class PointNumbers { plane, camera, both };
+/// The transformations of the point to show: the chosen plane's S and R, one of these, V alone, the camera's V and P,
+/// or all of them.
+enum class PointNumbers { plane, shadow, mirror, view, camera, both };
+
+/// Returns the transformations to show beside these matrices: those of the camera's matrices if S and R are not listed,
+/// otherwise those of the plane, without the shadow's or the mirror's if nothing draws it.
+PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow = true, bool has_mirror = true);
+
+/// Returns the number of lines, without the heading.
+int lines_of(PointNumbers numbers);
 
 /// Returns the height of what draw_followed_point() draws.
 float followed_point_height(const Session& session, PointNumbers numbers = PointNumbers::plane);

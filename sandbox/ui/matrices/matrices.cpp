@@ -199,9 +199,9 @@ void show_projection(const Column& column) {
         params.projection.has_window() ? tr(params.projection.is_orthographic() ? marked("glOrtho(l, r, b, t, n, f)")
                                                                                 : marked("glFrustum(l, r, b, t, n, f)"))
         : params.projection.is_orthographic() ? say("aspect {aspect}", "aspect"_a = aspect)
-        : params.slips.degrees_as_radians     ? say("c = cot(½ · {fovy} radians) (mistake) · aspect {aspect}",
-                                                    "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
-                                              : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
+        : params.slips.degrees_as_radians
+            ? say("c = cot(½ · {fovy} rad) (mistake)", "fovy"_a = number_text(params.projection.fovy, 1))
+            : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
         params.camera_overrides.clip_from_view, column.pastes);
 }
 
@@ -277,28 +277,51 @@ bool folded_heading(std::size_t number) {
     return is_clicked;
 }
 
-/// Returns the scale factor at which the listed matrices fill the column.
-float growth_of(std::span<const std::string> listed, bool has_symbols, float padding, const Session& session) {
-    float fixed = 0.0F, matrices = 0.0F;
-    const float matrix = widgets::MatrixHeight(has_symbols);
-    for (const std::string& name : listed) {
-        const bool is_matrix = name != "follow" && name != "display";
-        matrices += is_matrix ? matrix : 0.0F;
-        fixed += 2.0F * padding + ImGui::GetStyle().ItemSpacing.y +
-                 (is_matrix          ? matrix_heights()[has_symbols ? 2 : 1] - matrix
-                  : name == "follow" ? followed_point_height(session)
-                                     : px(display_code_height));
-    }
-    constexpr float largest = 1.4F;
-    if (matrices == 0.0F) return 1.0F;
-    return std::clamp((ImGui::GetContentRegionAvail().y - fixed) / matrices, 1.0F, largest);
+bool is_matrix(const std::string& name) {
+    return name != "follow" && name != "display";
 }
 
-/// Returns which transformations of a point to show: the camera's if V or P is shown and S and R are not, otherwise the
-/// plane's.
-PointNumbers point_numbers(std::span<const std::string> matrices) {
-    const auto has = [matrices](const char* name) { return is_named(matrices, name); };
-    return (has("V") || has("P")) && !has("S") && !has("R") ? PointNumbers::camera : PointNumbers::plane;
+/// Returns the transformations of the followed point to show in a list of matrices.
+PointNumbers numbers_in(std::span<const std::string> listed, const Session& session) {
+    return point_numbers(listed, session.params.shadow.enabled, session.params.reflection.enabled);
+}
+
+constexpr float symbols_padding = 4.0F;  ///< above and below each part of a list that has symbols; design pixels
+
+/// Returns the height of the listed parts below each other, if the first `symbolic` matrices have symbols. `growth`:
+/// of the matrices' numbers and symbols.
+float height_of(std::span<const std::string> listed, std::size_t symbolic, const Session& session,
+                float growth = 1.0F) {
+    const float padding = symbolic > 0 ? px(symbols_padding) : 0.0F;
+    float height = 0.0F;
+    std::size_t place = 0;
+    for (const std::string& name : listed) {
+        height += 2.0F * padding + ImGui::GetStyle().ItemSpacing.y;
+        if (is_matrix(name)) {
+            const bool has_symbols = place++ < symbolic;
+            height += matrix_heights()[has_symbols ? 2 : 1] + (growth - 1.0F) * widgets::MatrixHeight(has_symbols);
+        } else {
+            height += name == "follow" ? followed_point_height(session, numbers_in(listed, session))
+                                       : px(display_code_height);
+        }
+    }
+    return height;
+}
+
+/// Returns the number of listed matrices that have space for symbols, first come, first served. Showing all numbers
+/// matters more than showing the symbols below them.
+std::size_t symbolic_matrices(std::span<const std::string> listed, float room, const Session& session) {
+    auto count = static_cast<std::size_t>(std::count_if(listed.begin(), listed.end(), is_matrix));
+    while (count > 0 && height_of(listed, count, session) > room) --count;
+    return count;
+}
+
+/// Returns the scale factor at which the listed matrices fill the column.
+float growth_of(std::span<const std::string> listed, std::size_t symbolic, float room, const Session& session) {
+    constexpr float largest = 1.4F;
+    const float usual = height_of(listed, symbolic, session),
+                added = height_of(listed, symbolic, session, 2.0F) - usual;
+    return added > 0.0F ? std::clamp(1.0F + (room - usual) / added, 1.0F, largest) : 1.0F;
 }
 
 }  // namespace
@@ -374,23 +397,25 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = listed.size() > 1 && room >= 2.0F * px(360.0F) ? 2 : 1;
     const float width = std::min(room, static_cast<float>(columns) * px(600.0F));
-    // Showing all numbers matters more than showing the symbols below them.
-    const auto rows =
-        static_cast<float>((listed.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns));
-    const float with_symbols = matrix_heights().back() + 2.0F * px(4.0F);
-    const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * with_symbols,
-                       choice.pastes};
-    const float padding = shown.has_symbols ? px(4.0F) : 0.0F;
+    const float height = ImGui::GetContentRegionAvail().y;
+    // Two columns have as many rows as the first half of the list.
+    const auto rows = std::span(listed).first((listed.size() + static_cast<std::size_t>(columns) - 1) /
+                                              static_cast<std::size_t>(columns));
+    const std::size_t in_rows = symbolic_matrices(rows, height, session);
+    const std::size_t symbolic = columns == 1 ? in_rows : in_rows == rows.size() ? listed.size() : 0;
+    const float padding = symbolic > 0 ? px(symbols_padding) : 0.0F;
     if (widgets::CurrentContext().is_on_stage && columns == 1)
-        widgets::CurrentContext().matrix_growth = growth_of(listed, shown.has_symbols, padding, session);
+        widgets::CurrentContext().matrix_growth = growth_of(listed, symbolic, height, session);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {columns > 1 ? px(8.0F) : 0.0F, padding});
     if (ImGui::BeginTable("listed", columns, ImGuiTableFlags_SizingStretchSame, {width, 0.0F})) {
+        std::size_t place = 0;
         for (const std::string& name : listed) {
             ImGui::TableNextColumn();
+            const Column shown{session, derived, before, is_matrix(name) && place++ < symbolic, choice.pastes};
             const bool is_view = name == "V";
             if (name == "S") show_shadow(shown);
             if (name == "R") show_mirror(shown);
-            if (name == "follow") draw_followed_point(session, derived, point_numbers(listed));
+            if (name == "follow") draw_followed_point(session, derived, numbers_in(listed, session));
             if (has_both && is_view) show_view(shown, nullptr);
             if (has_both && name == "C") show_camera(shown, {});
             if (!has_both && (is_view || name == "C")) show_view_or_camera(shown, shows_camera);

@@ -46,25 +46,26 @@ struct StagePart {
     Rect* rect;
     ImVec2 least;       ///< a smaller part is hard to read
     float most_height;  ///< more height would not help
-    bool has_header;
+    float lowest;       ///< the least height on a crowded stage; only of views
+    bool is_view;       ///< has a header
 };
+
+/// Whether the parts of a column have about their least heights, or its views are shorter, or more is missing.
+enum class Fit { whole, tight, cut };
 
 /// Places the parts from top to bottom, the last one at the lower edge. Each part gets its least height; parts that can
 /// use more share the rest. If the column is too short, first the views and then all parts shrink by the same factor.
-/// Returns whether the column is tall enough.
-bool place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
+Fit place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
     const float gap = 10.0F * scale;
     float fixed = gap * static_cast<float>(parts.size() - 1), least = 0.0F;
     for (const StagePart& part : parts) {
-        fixed += part.has_header ? header : 0.0F;
+        fixed += part.is_view ? header : 0.0F;
         least += part.least.y * scale;
     }
     const float available = std::max(column.height() - fixed, 0.0F);
     // A shorter view is still legible; a matrix or a control would be cut off.
-    const auto spare_of = [scale](const StagePart& part) {
-        constexpr float lowest_view = 96.0F;
-        return part.has_header ? std::max(part.least.y - lowest_view, 0.0F) * scale : 0.0F;
-    };
+    constexpr float most_taken = 0.8F, tight = 0.4F;  // of what the views can spare
+    const auto spare_of = [scale](const StagePart& part) { return std::max(part.least.y - part.lowest, 0.0F) * scale; };
     float spare = 0.0F;
     for (const StagePart& part : parts) spare += spare_of(part);
     const float taken = spare > 0.0F ? std::clamp((least - available) / spare, 0.0F, 1.0F) : 0.0F;
@@ -87,25 +88,25 @@ bool place_column(const std::vector<StagePart>& parts, const Rect& column, float
     }
     float top = column.min.y;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i + 1 == parts.size())
-            top = std::max(top, column.max.y - heights[i] - (parts[i].has_header ? header : 0.0F));
-        if (parts[i].has_header) top += header;
+        if (i + 1 == parts.size()) top = std::max(top, column.max.y - heights[i] - (parts[i].is_view ? header : 0.0F));
+        if (parts[i].is_view) top += header;
         *parts[i].rect = rounded(column.min.x, top, column.max.x, top + heights[i]);
         top += heights[i] + gap;
     }
-    return least <= available;
+    if (least - most_taken * spare > available) return Fit::cut;
+    return least - tight * spare > available ? Fit::tight : Fit::whole;
 }
 
-/// If there are only a few controls, they are on a plate over the lower right corner of the picture, since a column
-/// would be nearly empty. A plate with more controls would cover objects.
+/// A few controls are on a plate over the lower right corner of the picture if a column would be nearly empty, or too
+/// short for its views and for the symbols of its first matrix. A plate with more controls would cover objects.
 constexpr int most_rows_on_plate = 2;
 
-Rect plate_over(const Rect& picture, const Telling& telling, float scale) {
-    constexpr float width = 250.0F, padding = 14.0F, margin = 10.0F;
+Rect plate_over(const Rect& picture, const Telling& telling, float width, float scale) {
+    constexpr float padding = 14.0F, margin = 10.0F;
     const ImVec2 corner(picture.max.x - margin * scale, picture.max.y - margin * scale);
-    return rounded(corner.x - (telling.has_vectors ? width_of_vectors : width) * scale,
-                   corner.y - (static_cast<float>(telling.control_rows) * height_of_row + padding) * scale, corner.x,
-                   corner.y);
+    const float height = static_cast<float>(telling.control_rows) * height_of_row + padding;
+    return rounded(std::max(corner.x - width * scale, picture.min.x + margin * scale), corner.y - height * scale,
+                   corner.x, corner.y);
 }
 
 /// Lays out a lesson's step or a state for an audience. The main view is as large as possible. To its right, a column
@@ -121,9 +122,12 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     constexpr float endless = 1e6F;
     std::vector<StagePart> parts;
     if (arrangement.maximized == ViewName::none) {
-        if (arrangement.stage.left) parts.push_back({&layout.lower_left, arrangement.stage.least_left, endless, true});
+        if (arrangement.stage.left)
+            parts.push_back(
+                {&layout.lower_left, arrangement.stage.least_left, endless, arrangement.stage.lowest_left, true});
         if (arrangement.stage.right)
-            parts.push_back({&layout.lower_right, arrangement.stage.least_right, endless, true});
+            parts.push_back(
+                {&layout.lower_right, arrangement.stage.least_right, endless, arrangement.stage.lowest_right, true});
         layout.lower_in_column = !parts.empty();
     }
     const bool has_matrices =
@@ -133,27 +137,40 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
         parts.push_back({&layout.matrices,
                          {430.0F, telling.short_matrices},
                          parts.empty() ? endless : telling.tall_matrices,
+                         telling.short_matrices,
                          false});
-    if (telling.control_rows > 0 && !arrangement.panel_folded) {
-        const float height = height_of_controls(telling, 1.0F);
-        const float width = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
-        parts.push_back({&layout.panel, {width, height}, height, false});
-    }
 
     float hero_right = area.max.x;
-    const bool has_picture = arrangement.maximized == ViewName::none || arrangement.maximized == ViewName::camera;
-    layout.panel_over_picture = has_picture && parts.size() == 1 && parts.front().rect == &layout.panel &&
-                                telling.control_rows <= most_rows_on_plate;
-    if (layout.panel_over_picture)
-        layout.panel = plate_over(area, telling, scale);
-    else if (!parts.empty()) {
+    Fit fit = Fit::whole;
+    const auto place = [&] {
         float width = 0.25F * area.width();
         for (const StagePart& part : parts) width = std::max(width, part.least.x * scale);
         // The main view keeps half of a wide area, and 45 % of a nearly square one.
         width = std::min(width, (area.width() > 2.0F * area.height() ? 0.5F : 0.55F) * area.width());
         hero_right = area.max.x - width - gap;
-        layout.column_fits =
-            place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
+        fit = place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
+    };
+    if (telling.control_rows > 0 && !arrangement.panel_folded) {
+        const bool is_alone = parts.empty();
+        const float height = height_of_controls(telling, 1.0F);
+        const float width = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
+        parts.push_back({&layout.panel, {width, height}, height, height, false});
+        place();
+        const bool has_picture = arrangement.maximized == ViewName::none || arrangement.maximized == ViewName::camera;
+        const float with_symbols = std::floor((telling.short_matrices + telling.first_symbols) * scale);
+        const bool is_tight = fit != Fit::whole || (has_matrices && layout.matrices.height() < with_symbols);
+        layout.panel_over_picture = has_picture && telling.control_rows <= most_rows_on_plate && (is_alone || is_tight);
+    }
+    if (layout.panel_over_picture) {
+        parts.pop_back();
+        hero_right = area.max.x;
+    }
+    if (!parts.empty()) place();
+    layout.column_fits = fit != Fit::cut;
+    if (layout.panel_over_picture) {
+        constexpr float alone = 250.0F;  // covers less of a picture that fills the stage
+        const float width = telling.has_vectors ? width_of_vectors : parts.empty() ? alone : arrangement.panel_width;
+        layout.panel = plate_over({area.min, {hero_right, area.max.y}}, telling, width, scale);
     }
     const Rect hero = rounded(area.min.x, area.min.y + layout.header_height, hero_right, area.max.y);
     switch (arrangement.maximized) {

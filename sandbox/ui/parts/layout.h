@@ -26,17 +26,19 @@ enum class ViewName { none, camera, lower_left, lower_right, matrices };
 struct Telling {
     int matrices = 0;                             ///< their number, including the followed point and display()
     float short_matrices = 0, tall_matrices = 0;  ///< height without and with symbols, design pixels
+    float first_symbols = 0;                      ///< extra height of the first matrix's symbols
     int control_rows = 0;                         ///< 0: no controls
     bool has_vectors = false;                     ///< several numbers in a row, which need a wider column
 
     bool is_on() const { return matrices > 0 || control_rows > 0; }
 };
 
-/// The lower views on stage: those that a step of a lesson names or, without a lesson, those that fit. Least sizes are
-/// in design pixels.
+/// The lower views on stage: those that a step of a lesson names or, without a lesson, those that fit. Sizes are in
+/// design pixels.
 struct StageViews {
     bool left = false, right = false;
     ImVec2 least_left{0, 0}, least_right{0, 0};
+    float lowest_left = 96.0F, lowest_right = 96.0F;  ///< heights to which a crowded stage may shrink them
 };
 
 /// The user's arrangement; sizes in design pixels.

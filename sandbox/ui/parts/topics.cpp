@@ -72,6 +72,10 @@ ImVec2 least_size_on_stage(Topic topic) {
     }
 }
 
+float lowest_on_stage(Topic topic) {
+    return topic == Topic::fighting ? 158.0F : topic == Topic::precision ? 135.0F : 96.0F;
+}
+
 std::span<const char* const> topic_names() {
     static constexpr const char* names[] = {marked("Automatic"),
                                             marked("Observer"),

@@ -34,6 +34,9 @@ bool examines_pixel(const Params& params);
 
 /// The size in design pixels below which a topic's view is hard to read from the back row.
 ImVec2 least_size_on_stage(Topic topic);
+/// Returns the height in design pixels to which a crowded stage may shrink the view. Tables and charts keep all their
+/// content.
+float lowest_on_stage(Topic topic);
 
 /// The topics' names for the list, in the order of Topic; the first one is `automatic`.
 std::span<const char* const> topic_names();

@@ -5,6 +5,7 @@
 
 #include "state/fields.h"
 #include "ui/matrices/display_code.h"
+#include "ui/matrices/followed_point.h"
 #include "ui/parts/topics.h"
 
 namespace viewing {
@@ -69,10 +70,16 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     arrangement.maximized = views[static_cast<std::size_t>(layout.big)];
     Telling& telling = arrangement.telling;
     telling.matrices = static_cast<int>(matrices.size());
+    constexpr float with_numbers = 147.0F, with_symbols = 230.0F, heading = 40.0F, line = 20.0F;
+    const int lines = lines_of(point_numbers(matrices, params.shadow.enabled, params.reflection.enabled));
+    const float follow = heading + line * static_cast<float>(lines);
     telling.short_matrices = telling.tall_matrices = 4.0F;
+    telling.first_symbols = 0.0F;
     for (const std::string& name : matrices) {
-        telling.short_matrices += name == "follow" ? 160.0F : name == "display" ? display_code_height : 147.0F;
-        telling.tall_matrices += name == "follow" ? 160.0F : name == "display" ? display_code_height : 230.0F;
+        const bool is_matrix = name != "follow" && name != "display";
+        telling.short_matrices += is_matrix ? with_numbers : name == "follow" ? follow : display_code_height;
+        telling.tall_matrices += is_matrix ? with_symbols : name == "follow" ? follow : display_code_height;
+        if (is_matrix) telling.first_symbols = with_symbols - with_numbers;
     }
     telling.control_rows = rows_of(layout.controls);
     telling.has_vectors = std::any_of(layout.controls.begin(), layout.controls.end(), [](const std::string& path) {
@@ -81,8 +88,11 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     const bool would_be_empty = !layout.controls.empty() && telling.control_rows == 0;
     arrangement.panel_folded = is_folded(params, "panel") || would_be_empty;
     arrangement.matrices_folded = is_folded(params, "matrices");
-    arrangement.stage.least_left = least_size_on_stage(topic_of(params, Slot::left));
-    arrangement.stage.least_right = least_size_on_stage(topic_of(params, Slot::right));
+    StageViews& stage = arrangement.stage;
+    stage.least_left = least_size_on_stage(topic_of(params, Slot::left));
+    stage.least_right = least_size_on_stage(topic_of(params, Slot::right));
+    stage.lowest_left = lowest_on_stage(topic_of(params, Slot::left));
+    stage.lowest_right = lowest_on_stage(topic_of(params, Slot::right));
 }
 
 std::vector<std::string> matrices_about(const Params& params, std::string_view group) {

@@ -98,17 +98,10 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
         now.strip_px = std::max(now.strip_px, std::min(tallest, std::floor(most_share * window_px.y)));
     }
     if (has_strip && arrangement.presents) {
-        // Keep the strip in place throughout a lesson, unless that takes space or symbols from parts that the step
-        // names.
+        // Keep the strip in place throughout a lesson, unless that takes space from parts that the step names.
         const float own = now.strip_px;
-        const auto has_symbols = [&] {
-            return lay_out(window_px, widgets.scale, now).matrices.height() >=
-                   std::floor(now.telling.tall_matrices * widgets.scale);
-        };
-        const bool may_have_symbols = has_symbols();
         now.strip_px = std::max(own, tallest_strip(*guide.run(), strip_width, widgets, look));
-        const bool fits = lay_out(window_px, widgets.scale, now).column_fits;
-        if (!fits || (may_have_symbols && !has_symbols())) now.strip_px = own;
+        if (!lay_out(window_px, widgets.scale, now).column_fits) now.strip_px = own;
     }
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
