@@ -6,6 +6,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "widgets/inner.h"
 
@@ -75,10 +76,22 @@ int WrapWhatIsTyped(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
+/// A field that gets the focus selects its text, which the next letter would replace.
+int CaretToEnd(ImGuiInputTextCallbackData* data) {
+    if (!std::exchange(*static_cast<bool*>(data->UserData), false)) return 0;
+    data->ClearSelection();
+    data->CursorPos = data->BufTextLen;
+    return 0;
+}
+
 }  // namespace
 
-bool TextField(const char* label, std::string& text, const char* hint, ImGuiInputTextFlags flags) {
-    return KeptField(label, [&] { return ImGui::InputTextWithHint(label, hint, &text, flags); });
+bool TextField(const char* label, std::string& text, const char* hint, ImGuiInputTextFlags flags, bool* to_end) {
+    if (!to_end) return KeptField(label, [&] { return ImGui::InputTextWithHint(label, hint, &text, flags); });
+    return KeptField(label, [&] {
+        return ImGui::InputTextWithHint(label, hint, &text, flags | ImGuiInputTextFlags_CallbackAlways, CaretToEnd,
+                                        to_end);
+    });
 }
 
 bool EntryField(const char* label, std::string& value) {

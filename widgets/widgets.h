@@ -303,8 +303,10 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
 
 /// Draws ImGui's text field, with the width set for the next item. Use it for text that other code may also change.
-/// Returns ImGui's result. `hint` shows in an empty field.
-bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0);
+/// Returns ImGui's result. `hint` shows in an empty field. `to_end`: puts the caret behind the text, of which nothing
+/// is selected, as soon as the field is active; then it is false again.
+bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0,
+               bool* to_end = nullptr);
 /// Draws a field for text that counts only when complete: `value` changes only in the frame in which the user leaves
 /// the field with a different text (by Enter, Tab, a click elsewhere or EndTyping). Escape restores the old text.
 bool EntryField(const char* label, std::string& value);

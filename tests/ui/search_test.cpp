@@ -222,10 +222,10 @@ TEST_F(SearchTest, ASettingWithoutAValueWaitsForIt) {
     ui.key(ImGuiKey_Enter);
     ui.frames(3);
     ASSERT_TRUE(ui.has("search/text"));
-    ui.type("40");
+    ui.type("41.5");
     ui.frames(2);
     enter();
-    EXPECT_EQ(params.projection.fovy, 40.0);
+    EXPECT_EQ(params.projection.fovy, 41.5) << "what was typed continues the setting's name";
 }
 
 TEST_F(SearchTest, AValueOutOfRangeIsASentenceAndChangesNothing) {

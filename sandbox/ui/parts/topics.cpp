@@ -49,10 +49,11 @@ ImVec2 least_size_on_stage(Topic topic) {
     switch (topic) {
         case Topic::passes:
         case Topic::shadow_derivation:
-        case Topic::lecture_code:
         case Topic::cells:
         case Topic::pixel:
             return {440.0F, 150.0F};
+        case Topic::lecture_code:
+            return {440.0F, 190.0F};
         case Topic::why:
             return {440.0F, 370.0F};
         case Topic::mirror_derivation:

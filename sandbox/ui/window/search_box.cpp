@@ -79,7 +79,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
     if (std::exchange(takes_focus_, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         widgets::TextField("##text", typed_, tr("a name, a word from a question, or a setting: near 0.01"),
-                           ImGuiInputTextFlags_EnterReturnsTrue);
+                           ImGuiInputTextFlags_EnterReturnsTrue, &continues_);
     widgets::Record("text");
     if (typed_ != before) {
         found_ = found(entries_, typed_, most_rows);
@@ -104,7 +104,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
     if (setting && setting->setting.empty()) {
         typed_ = std::string(setting->path) + " ";
         found_ = found(entries_, typed_, most_rows);
-        takes_focus_ = true;
+        takes_focus_ = continues_ = true;
         chosen.reset();
     }
     if (chosen || is_key_pressed(ImGuiKey_Escape)) {

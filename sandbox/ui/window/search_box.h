@@ -27,6 +27,7 @@ private:
     std::vector<SearchEntry> entries_, found_;
     int marked_ = 0;  ///< the row that Enter chooses
     bool requested_ = false, is_open_ = false, takes_focus_ = false;
+    bool continues_ = false;  ///< the next letters follow the text in the field
 };
 
 }  // namespace viewing
