@@ -279,8 +279,8 @@ private:
         workbench.recorder.note(session.params);
         Pictures pictures;
         pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};
-        requests = workbench.draw(session, derived, before, frame_plan, problems, pictures,
-                                  {"OpenGL 3.3 core · none", "888.8 ms", {}}, input);
+        const StatusLine status{"OpenGL 3.3 core · none", "888.8 ms", {}};
+        requests = workbench.draw(session, {derived, before, frame_plan, problems, pictures, status}, input);
         input.pressed.clear();
         input.dropped_files.clear();
         measure_areas();
