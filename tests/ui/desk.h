@@ -1,5 +1,6 @@
 // The whole user interface without a window or GL: a session, its workbench and simulated mouse, keys and clipboard.
-// Each frame derives and plans as the studio does. Read widgets/harness.h first.
+// Each frame derives and plans, then takes the input, so an edit shows in the next frame. The studio (app/studio.cpp)
+// shows it in the same one. Read widgets/harness.h first.
 #pragma once
 
 #include <gtest/gtest.h>
