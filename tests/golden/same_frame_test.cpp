@@ -215,6 +215,30 @@ TEST_F(SameFrameTest, KeysUndoAndFly) {
     EXPECT_NE(params().camera.position, Params().camera.position);
 }
 
+TEST_F(SameFrameTest, TheNextStepOfALessonIsCoveredAtOnce) {
+    const Result<Lesson> lesson = load_lesson(lessons().front().path.string());
+    ASSERT_TRUE(lesson) << lesson.error();
+    Guide& guide = studio_->workbench.guide;
+    const std::vector<std::string>& covered = studio_->workbench.widgets.targets.covered;
+    std::size_t count = 0;
+    for (std::size_t next = 1; next < lesson->steps.size(); ++next) {
+        guide.begin(*lesson, next - 1, studio_->session);
+        guide.run()->reveal();
+        rest();
+        press(middle_of("lesson strip/Next ▸"));
+        release();
+        ASSERT_EQ(guide.run()->index(), next);
+        for (const std::string& part : lesson->steps[next].cover) {
+            EXPECT_TRUE(std::find(covered.begin(), covered.end(), part) != covered.end())
+                << part << ", step " << next + 1;
+            ++count;
+        }
+        move_to({-1e6F, -1e6F});
+        rest();
+    }
+    EXPECT_GT(count, 3U);
+}
+
 TEST_F(SameFrameTest, EachFrameOfADragIsDerivedAndPlannedOnce) {
     params().view.lower_right =
         Topic::from_light;  // the depth buffer's view has its own size, so it derives another time
