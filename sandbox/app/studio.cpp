@@ -1,3 +1,9 @@
+// A frame of the window. The interface draws its windows twice: first to take the input and edit the session, which
+// nobody sees, then to show what came of it. In between, the frame is derived, planned and drawn once, so pictures,
+// overlays, panels and matrices all belong to the state that this frame's input made. The second drawing is an ImGui
+// frame of its own in which no time passes, no pointer moves, and no button or key changes, so widgets only show. This
+// costs less than a millisecond, and no row of the interface, most of which both edit and show, has to be cut in two.
+// Only what background work brings while the second drawing is made waits for the next frame.
 #include "app/studio.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -110,6 +116,7 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
                  drawn_.hidden,
                  drawn_.is_coarse,
                  knows_driver};
+    derive_before(viewport);
     if (wanted != drawn_) shown_.derived = derive(shown_.params, session.scene(), viewport);
     if (wanted != drawn_ || answer_.is_behind())
         session.report(
@@ -120,18 +127,28 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     wanted.is_coarse = coarse != nullptr;
     const bool catches_up = views_are_behind_ && !is_held();
     if (wanted == drawn_ && !catches_up) return;
-    shown_.before = derive(animated(session.before_latest_edit(), moment_), session.scene(), viewport);
     const HiddenPictures found = shown_.hidden ? shown_.hidden->pictures : HiddenPictures{};
     shown_.plan = plan(shown_.params, shown_.derived, found);
     shown_.problems = find_problems(shown_.params, shown_.derived, session.scene(), shown_.plan);
     if (shown_.hidden && !answer_.is_behind())
         if (const std::optional<Problem> wrong = painter_problem(*shown_.hidden)) shown_.problems.push_back(*wrong);
     shown_.pinned = pinned_pixel(shown_.params, shown_.derived, shown_.plan, session.scene(), shown_.camera_px);
-    shown_.inspected = plan(probed(shown_.params), shown_.derived, found);
+    const Params inspected = probed(shown_.params);
+    shown_.inspected = inspected == shown_.params ? shown_.plan : plan(inspected, shown_.derived, found);
     session.report(draw_views(layout, coarse ? *coarse : session.scene(), is_interactive));
     drawn_ = wanted;
     inspection_.forget();
     if (!moves_) settling_ = std::max(settling_, 2);
+}
+
+void Studio::derive_before(const Viewport& viewport) {
+    const Params before = animated(session.before_latest_edit(), moment_);
+    const bool is_same_room = session.scene_version() == drawn_.scene_version && viewport == before_of_.viewport;
+    if (is_same_room && before == before_of_.params) return;
+    // When an edit begins, the state before it is the one that is drawn.
+    const bool is_drawn = is_same_room && before == drawn_.animated;
+    shown_.before = is_drawn ? shown_.derived : derive(before, session.scene(), viewport);
+    before_of_ = {before, viewport};
 }
 
 StatusLine Studio::status(bool shows_time) {
@@ -147,38 +164,47 @@ StatusLine Studio::status(bool shows_time) {
     return status;
 }
 
-Requests Studio::draw_interface(const Surroundings& surroundings) {
-    Pictures pictures = pictures_.textures();
-    pictures.hidden = {shown_.hidden, answer_.fraction(), surroundings.shows_time};
-    pictures.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
-    pictures.preset = preset_pictures_.of(workbench.wanted_preset_picture());
+void Studio::gather_content(const Surroundings& surroundings) {
+    shown_pictures_ = pictures_.textures();
+    shown_pictures_.hidden = {shown_.hidden, answer_.fraction(), surroundings.shows_time};
+    shown_pictures_.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
+    shown_pictures_.preset = preset_pictures_.of(workbench.wanted_preset_picture());
     for (const CardPicture& card : workbench.wanted_cards())
-        pictures.cards.push_back(preset_pictures_.of(card.key, card.load, card.size_px));
-    const StatusLine told = status(surroundings.shows_time);
+        shown_pictures_.cards.push_back(preset_pictures_.of(card.key, card.load, card.size_px));
+    shown_status_ = status(surroundings.shows_time);
     workbench.views.pinned = shown_.pinned;
     workbench.views.why.told = inspection_.why();
-    if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
+}
+
+WindowContent Studio::content() const {
+    return {shown_.derived, shown_.before, shown_.plan, shown_.problems, shown_pictures_, shown_status_};
+}
+
+Requests Studio::react(const Surroundings& surroundings) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    const Requests requests = workbench.draw(session, shown_.derived, shown_.before, shown_.plan, shown_.problems,
-                                             pictures, told, surroundings.input);
+    const Requests requests = workbench.draw(session, content(), surroundings.input);
     const bool may_wait = surroundings.shows_time;
     if (judge_.update(workbench, session, {requests.check_answer, is_held(), may_wait}))
         settling_ = std::max(settling_, 2);
     if (requests.cancel_hidden) answer_.cancel();
     if (requests.restart_hidden) answer_.restart();
+    return requests;
+}
+
+void Studio::render(glm::ivec2 size_px) {
+    if (window_.size_px() != size_px) window_ = gl::ColorTarget(size_px);
     ImGui::Render();
     // A frozen picture stays on screen: draw only the first frozen frame, whose message says that the picture is
     // frozen.
     const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
-    if (was_frozen && is_frozen_) return requests;
+    if (was_frozen && is_frozen_) return;
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
-    glViewport(0, 0, surroundings.size_px.x, surroundings.size_px.y);
+    glViewport(0, 0, size_px.x, size_px.y);
     const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(workbench.widgets.palette.ground);
     glClearColor(ground.x, ground.y, ground.z, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return requests;
 }
 
 void Studio::make_exercise() {
@@ -219,35 +245,60 @@ double Studio::next_redraw_in_s() const {
     return in_s;
 }
 
-Requests Studio::frame(const Surroundings& surroundings) {
-    const auto started = std::chrono::steady_clock::now();
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
-    if (looks_.follow(session.params.ui, surroundings.device_scale, io.DisplaySize, workbench.arranged(session),
-                      workbench.korean, workbench.widgets)) {
-        settling_ = 3;
-        if (ground_) {
-            widgets::Palette& palette = workbench.widgets.palette;
-            palette.ground = palette.view_ground = palette.raised = *ground_;
-            ImGui::GetStyle().Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(*ground_);
-        }
-        if (!looks_.trouble().empty()) session.message = {looks_.trouble(), true};
+void Studio::follow_looks(const Surroundings& surroundings) {
+    if (!looks_.follow(session.params.ui, surroundings.device_scale, ImGui::GetIO().DisplaySize,
+                       workbench.arranged(session), workbench.korean, workbench.widgets))
+        return;
+    settling_ = 3;
+    if (ground_) {
+        widgets::Palette& palette = workbench.widgets.palette;
+        palette.ground = palette.view_ground = palette.raised = *ground_;
+        ImGui::GetStyle().Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(*ground_);
     }
-    session.update_scene();
-    make_exercise();
-    io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
+    if (!looks_.trouble().empty()) session.message = {looks_.trouble(), true};
+}
 
+void Studio::animate(const Surroundings& surroundings) {
     const AnimationParams& animation = session.params.animation;
     const bool has_begun = surroundings.shows_time && (animation.jiggle || animation.light_orbit);
     moves_ = surroundings.shows_time && is_animated(session.params);
     moment_ = moves_ ? advanced(moment_, session.params, surroundings.input.dt_s) : has_begun ? moment_ : Moment{};
     shown_.params = animated(session.params, moment_);
+}
 
-    update(workbench.layout(io.DisplaySize, session), surroundings);
+void Studio::prepare(const Surroundings& surroundings) {
+    session.update_scene();
+    make_exercise();
+    workbench.set_stage();
+    follow_looks(surroundings);
+    animate(surroundings);
+    update(workbench.layout(ImGui::GetIO().DisplaySize, session), surroundings);
     if (!views_are_behind_ && !drawn_.is_coarse)
         session.report(inspection_.read(shown_, session, workbench.views, !surroundings.shows_time));
     record(surroundings.input.dt_s);
-    const Requests requests = draw_interface(surroundings);
+    gather_content(surroundings);
+}
+
+Requests Studio::frame(const Surroundings& surroundings) {
+    const auto started = std::chrono::steady_clock::now();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
+    io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
+    const bool is_first = drawn_.scene_version < 0;  // nothing has been shown to which the user could have reacted
+    Requests requests;
+    if (!is_first) {
+        requests = react(surroundings);
+        ImGui::EndFrame();
+        io.DeltaTime = 1e-6F;  // ImGui wants some time to pass
+    }
+    prepare(surroundings);
+    if (is_first) {
+        requests = react(surroundings);
+    } else {
+        ImGui::NewFrame();
+        workbench.show(session, content(), surroundings.input);
+    }
+    render(surroundings.size_px);
 
     if (settling_ > 0) --settling_;
     redraw_in_s_ = next_redraw_in_s();

@@ -37,8 +37,9 @@ public:
         FrameInput input;
     };
 
-    /// Draws one frame into the studio's own framebuffer. ImGui's IO must already have the mouse and text input. A view
-    /// that cannot be drawn keeps its last picture, and the message says why, so that a lecture can go on.
+    /// Draws one frame, with the edits that its input makes, into the studio's own framebuffer. ImGui's IO must already
+    /// have the mouse and text input. A view that cannot be drawn keeps its last picture, and the message says why, so
+    /// that a lecture can go on.
     Requests frame(const Surroundings& surroundings);
 
     /// Uses one color instead of the theme's for all backgrounds, in pictures and around them. Call before the first
@@ -66,12 +67,21 @@ public:
     bool reads_back() const { return inspection_.reads_back(); }
 
 private:
+    /// Lets the interface take the input and edit the session.
+    Requests react(const Surroundings& surroundings);
+    /// Brings everything that the interface shows up to date with the session.
+    void prepare(const Surroundings& surroundings);
+    void follow_looks(const Surroundings& surroundings);
+    void animate(const Surroundings& surroundings);
     /// Recomputes and redraws everything that is affected by changes in the frame's parameters, sizes or results.
     void update(const Layout& layout, const Surroundings& surroundings);
+    void derive_before(const Viewport& viewport);
     Status draw_views(const Layout& layout, const Scene& scene, bool is_interactive);
     Params shown_params() const;
+    void gather_content(const Surroundings& surroundings);
     StatusLine status(bool shows_time);
-    Requests draw_interface(const Surroundings& surroundings);
+    WindowContent content() const;
+    void render(glm::ivec2 size_px);
     /// Makes one exercise of the student's sheet per frame, since its numbers may have to be measured in pictures.
     void make_exercise();
     void record(double dt_s);
@@ -83,6 +93,8 @@ private:
     Looks looks_;
     std::optional<ImU32> ground_;  ///< replaces the theme's background
     ShownFrame shown_;
+    Pictures shown_pictures_;
+    StatusLine shown_status_;
     ShownAnswer answer_;
     ViewPictures pictures_;
     Inspection inspection_;
@@ -103,6 +115,10 @@ private:
         bool operator==(const Drawn&) const = default;
     };
     Drawn drawn_;
+    struct {
+        Params params;
+        Viewport viewport;
+    } before_of_;                    ///< what ShownFrame::before was derived from
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until the drag ends
     bool camera_is_behind_ = true;   ///< the camera's view shows an earlier frame or stand-ins
 

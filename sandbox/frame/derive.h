@@ -20,6 +20,7 @@ struct Viewport {
     std::optional<StoredDepth> stored_depth{};
 
     double aspect() const { return size_px.y > 0 ? static_cast<double>(size_px.x) / size_px.y : 1.0; }
+    bool operator==(const Viewport&) const = default;
 };
 
 /// The followed vertex and its images under S and R.

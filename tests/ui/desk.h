@@ -1,5 +1,6 @@
 // The whole user interface without a window or GL: a session, its workbench and simulated mouse, keys and clipboard.
-// Each frame derives and plans as the studio does. Read widgets/harness.h first.
+// Each frame derives and plans, then takes the input, so an edit shows in the next frame. The studio (app/studio.cpp)
+// shows it in the same one. Read widgets/harness.h first.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -279,8 +280,8 @@ private:
         workbench.recorder.note(session.params);
         Pictures pictures;
         pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};
-        requests = workbench.draw(session, derived, before, frame_plan, problems, pictures,
-                                  {"OpenGL 3.3 core · none", "888.8 ms", {}}, input);
+        const StatusLine status{"OpenGL 3.3 core · none", "888.8 ms", {}};
+        requests = workbench.draw(session, {derived, before, frame_plan, problems, pictures, status}, input);
         input.pressed.clear();
         input.dropped_files.clear();
         measure_areas();

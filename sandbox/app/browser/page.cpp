@@ -229,7 +229,7 @@ EMSCRIPTEN_KEEPALIVE int page_is_open() {
 /// until the next frame is due if no event comes; 0 means immediately, and a negative number means never.
 EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale) {
     if (waits_for_gl()) return 0.0;
-    constexpr int frames_after_an_event = 3;
+    constexpr int frames_after_an_event = 2;
     page->frames_due = std::exchange(page->any, false) ? frames_after_an_event : std::max(page->frames_due - 1, 0);
     refuse_what_is_not_there();
     const InputFrame& frame = page->queue.next_frame(page_now_s());

@@ -137,8 +137,8 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         const bool closes = glfwWindowShouldClose(window) == GLFW_TRUE;
         if (!closes) events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
 
-        // A click takes effect in the first frame; the second lays out anything it opened, and the third adjusts sizes.
-        constexpr int frames_after_an_event = 3;
+        // A click takes effect in the first frame, which also lays out anything it opened; the second adjusts sizes.
+        constexpr int frames_after_an_event = 2;
         frames_due = std::exchange(events.any, false) ? frames_after_an_event : std::max(frames_due - 1, 0);
 
         glm::ivec2 size_px(0);

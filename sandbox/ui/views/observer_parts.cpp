@@ -82,7 +82,7 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
 }
 
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived) {
-    // While a step is revealed, the derived values may be a frame older than the camera.
+    // An animation moves the derived camera, too.
     if (!params.slips.swapped_order && !params.slips.camera_as_view && !params.camera_overrides.view_from_world) return;
     const glm::dmat4 effective = effective_camera(derived);
     if (largest_entry(effective - placed_camera(params)) < 1e-9) return;

@@ -80,9 +80,12 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
     follow_exercises(session);
     presenter.update(input, guide, session);
-    arrangement.presents = widgets.is_on_stage = presenter.is_on();
-    LessonRun* const run = guide.run();
+    const LessonRun* const run = guide.run();
     if (run && start_page.is_finished(run->lesson().id)) presenter.show_overview(guide);
+}
+
+void Workbench::set_lesson_stage() {
+    LessonRun* const run = guide.run();
     arrangement.stage = {};
     const bool leads = run && (guide.is_shown() || guide.is_sheet());
     if (std::exchange(leads_, leads) || leads) {
@@ -174,7 +177,6 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
     if (start_page.draw(guide, presenter, session, {progress, last_lesson, recent}, pictures))
         exercise_page.open(exercises);
     draw_exercises(session, pictures);
-    requests.full_screen = presenter.take_wish_for_full_screen();
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
     const float bottom = layout.strip.empty() ? window_px.y : layout.strip.min.y;
     const Rect above{{0.0F, 0.0F}, {window_px.x, bottom}};

@@ -170,6 +170,8 @@ FrameInput Workbench::after_typing(const FrameInput& input) {
 }
 
 void Workbench::set_stage() {
+    arrangement.presents = widgets.is_on_stage = presenter.is_on();
+    set_lesson_stage();
     std::vector<std::string>& covered = widgets.targets.covered;
     covered = stage.cover;
     if (stage.asks)
@@ -269,8 +271,9 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
     for (const std::filesystem::path& file : input.dropped_files) session.open(file.string());
 }
 
-void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before,
-                             const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout) {
+void Workbench::draw_columns(Session& session, const WindowContent& content, const Layout& layout) {
+    const auto& [derived, before, plan, problems, pictures, status] = content;
+    const HiddenStatus& hidden = pictures.hidden;
     const bool on_plate = layout.panel_over_picture;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         on_plate ? ImVec2(px(12.0F), px(8.0F)) : ImVec2(px(8.0F), px(2.0F)));
@@ -307,9 +310,9 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     ImGui::PopStyleVar();
 }
 
-void Workbench::draw_views(Session& session, const Derived& derived, const FramePlan& plan,
-                           const std::vector<Problem>& problems, const Pictures& pictures, const Layout& layout,
+void Workbench::draw_views(Session& session, const WindowContent& content, const Layout& layout,
                            const FrameInput& input, MotionInput& motion) {
+    const auto& [derived, before, plan, problems, pictures, status] = content;
     const Arrangement arranged_now = arranged(session);
     const Rect between = views_area(layout, arranged_now);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
@@ -400,25 +403,11 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
     ImGui::PopStyleColor();
 }
 
-Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
-                         const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
-                         const FrameInput& all_input) {
-    const FrameInput input = after_typing(all_input);
-    follow_flights(session, input.dt_s);
-    follow_lesson(session, input);
-    remember_opened(session);
-    set_stage();
+void Workbench::draw_windows(Session& session, const WindowContent& content, const FrameInput& input,
+                             MotionInput& motion, Requests& requests) {
+    const Pictures& pictures = content.pictures;
     widgets::NewFrame(widgets);
-    Requests requests;
-    if (session.message.is_drawn) session.message.shown_s += input.dt_s;
-    if (message_ends_in_s(session.message) == 0.0) session.message = {};
-    handle_keys(session, input, derived.aspect, requests);
     const Layout now = layout(ImGui::GetIO().DisplaySize, session);
-
-    const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
-                           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
-    if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
     views.moves = guide.moves;
     begin_hidden_frame(views.hidden, session, pictures.hidden);
     if (!std::exchange(has_panel_window_, true)) {
@@ -426,17 +415,14 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
         ImGui::End();
     }
     if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
-    draw_columns(session, derived, before, problems, pictures.hidden, now);
-    draw_views(session, derived, plan, problems, pictures, now, input, motion);
-    if (!now.status_bar.empty()) draw_status_bar(session, now, status);
+    draw_columns(session, content, now);
+    draw_views(session, content, now, input, motion);
+    if (!now.status_bar.empty()) draw_status_bar(session, now, content.status);
     draw_recording_sign(now);
     widgets::StopUnlessShown(views.call_player);
     widgets::StopUnlessShown(views.pass_player);
     widgets::StopUnlessShown(views.way_player);
     end_hidden_frame(views.hidden);
-    requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
-    requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
-    requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);
     widgets::DrawHighlights(now.strip.empty() ? ImGui::GetIO().DisplaySize.y : now.strip.min.y);
     draw_lesson(session, now, pictures, requests);
     draw_loading(session, now);
@@ -444,14 +430,36 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     session.message.is_drawn = true;
     file_dialog_.draw(session);
     help_.draw();
-    draw_search(session, problems, now, requests);
+    draw_search(session, content.problems, now, requests);
     draw_permission(session);
     if (matrix_choice_.pastes != 0) {
         const char* const held = ImGui::GetClipboardText();
         matrix_dialog_.paste(held ? held : "", std::exchange(matrix_choice_.pastes, '\0'));
     }
-    matrix_dialog_.draw(session, derived);
+    matrix_dialog_.draw(session, content.derived);
     want_korean(session);
+}
+
+Requests Workbench::draw(Session& session, const WindowContent& content, const FrameInput& all_input) {
+    const FrameInput input = after_typing(all_input);
+    follow_flights(session, input.dt_s);
+    follow_lesson(session, input);
+    remember_opened(session);
+    Requests requests;
+    if (session.message.is_drawn) session.message.shown_s += input.dt_s;
+    if (message_ends_in_s(session.message) == 0.0) session.message = {};
+    handle_keys(session, input, content.derived.aspect, requests);
+    set_stage();
+
+    const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
+                           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
+    if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
+    draw_windows(session, content, input, motion, requests);
+    requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
+    requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
+    requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);
+    requests.full_screen = presenter.take_wish_for_full_screen();
 
     // Ignore idle time when motion starts: the window may have slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
@@ -459,6 +467,12 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
                        !is_playing(views) && !replay.is_playing();
     if (rests && !guide.is_revealing() && !presenter.holds_before()) session.rest();
     return requests;
+}
+
+void Workbench::show(Session& session, const WindowContent& content, const FrameInput& input) {
+    MotionInput motion;
+    Requests requests;
+    draw_windows(session, content, input, motion, requests);
 }
 
 }  // namespace viewing

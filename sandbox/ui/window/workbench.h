@@ -38,6 +38,15 @@ struct StatusLine {
     std::vector<std::string> told;  ///< about the pixel under the pointer or about coarse drawing; most important first
 };
 
+/// What the windows show of a frame: its numbers, pictures and texts.
+struct WindowContent {
+    const Derived &derived, &before;  ///< `before` belongs to the state before the latest edit
+    const FramePlan& plan;
+    const std::vector<Problem>& problems;  ///< the plan's
+    const Pictures& pictures;
+    const StatusLine& status;
+};
+
 /// Requests that only the surrounding program can fulfill.
 struct Requests {
     bool snapshot = false;
@@ -93,14 +102,15 @@ public:
     /// Returns the seconds until a success message disappears from the status bar; negative: there is none.
     static double message_ends_in_s(const Message& message);
 
-    /// Draws the windows of one ImGui frame (between NewFrame and Render), edits the session and moves its camera.
-    /// `problems`: the plan's problems.
-    Requests draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
-                  const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
-                  const FrameInput& input);
+    /// Covers, marks and arranges what the lesson's current step says. Call it before layout().
+    void set_stage();
+    /// Draws the windows of one ImGui frame (between NewFrame and EndFrame), edits the session and moves its camera.
+    Requests draw(Session& session, const WindowContent& content, const FrameInput& input);
+    /// Draws the same windows in one more ImGui frame, after draw() has taken the input and `content` has followed its
+    /// edits. Takes nothing but the state of held keys and buttons from `input`.
+    void show(Session& session, const WindowContent& content, const FrameInput& input);
 
 private:
-    void set_stage();
     /// Commits typed text before a key or a dropped file moves the focus away: returns the input without that key or
     /// file, which is held back for one frame. Also commits the text when the window loses focus.
     FrameInput after_typing(const FrameInput& input);
@@ -108,6 +118,7 @@ private:
     /// step's highlighted parts. Otherwise returns nullopt, for all switches.
     std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
     void follow_lesson(Session& session, const FrameInput& input);
+    void set_lesson_stage();
     void show_only_named(const LessonStep& step);
     /// Covers what the question asks for, until it is answered.
     void cover_question(const LessonRun& run);
@@ -158,11 +169,11 @@ private:
     std::string recording_sign() const;
     void draw_recording_sign(const Layout& layout) const;
     void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status);
-    void draw_columns(Session& session, const Derived& derived, const Derived& before,
-                      const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout);
-    void draw_views(Session& session, const Derived& derived, const FramePlan& plan,
-                    const std::vector<Problem>& problems, const Pictures& pictures, const Layout& layout,
-                    const FrameInput& input, MotionInput& motion);
+    void draw_windows(Session& session, const WindowContent& content, const FrameInput& input, MotionInput& motion,
+                      Requests& requests);
+    void draw_columns(Session& session, const WindowContent& content, const Layout& layout);
+    void draw_views(Session& session, const WindowContent& content, const Layout& layout, const FrameInput& input,
+                    MotionInput& motion);
     void draw_splitters(const Layout& layout, const Rect& between);
     /// Pastes a state, a link or a matrix from the clipboard.
     void paste_anything(Session& session);
