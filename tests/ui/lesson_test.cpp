@@ -105,6 +105,43 @@ TEST_P(StageSlowTest, DISABLED_EveryStepIsReadable) {
 
 INSTANTIATE_TEST_SUITE_P(Rooms, StageSlowTest, ::testing::ValuesIn(rooms));
 
+/// Short choices share their rows, so that more height remains for the picture; long ones have a row each.
+TEST(OnStage, ShortChoicesAreInTwoColumns) {
+    struct Case {
+        const char* lesson;
+        std::size_t step;
+        bool are_short;
+    };
+    Desk desk({1024, 768});
+    for (const auto& [lesson, step, are_short] :
+         {Case{"view-is-the-inverse", 0, true}, {"view-is-the-inverse", 3, false}, {"why-this-pixel", 0, false}}) {
+        begin(desk, lesson_of(lesson), step, true);
+        const RecordedItem first = desk.ui.find("lesson strip/answers/choice 1");
+        const RecordedItem second = desk.ui.find("lesson strip/answers/choice 2");
+        EXPECT_EQ(first.min.y == second.min.y, are_short) << lesson << ", step " << step + 1;
+        EXPECT_EQ(first.max.x < second.min.x, are_short) << lesson << ", step " << step + 1;
+    }
+}
+
+/// Beside matrices, a followed point shows what they make of it: no mirror image where nothing is mirrored.
+TEST(OnStage, AFollowedPointShowsTheNumbersOfItsMatrices) {
+    Desk desk({1280, 720});
+    const auto lines = [&] {
+        std::set<std::string> found;
+        for (const widgets::Targets::Found& target : desk.workbench.widgets.targets.found)
+            if (target.name.starts_with("follow:") || target.name == "matrix:V") found.insert(target.name);
+        return found;
+    };
+    begin(desk, lesson_of("similar-triangles"), 4, true);
+    EXPECT_EQ(lines(), (std::set<std::string>{"follow:p", "follow:S p", "follow:shadow"}));
+    desk.params().reflection.enabled = true;
+    desk.settle();
+    EXPECT_EQ(lines().count("follow:mirrored"), 1U);
+    desk.params().shadow.enabled = false;
+    desk.settle();
+    EXPECT_EQ(lines(), (std::set<std::string>{"follow:p", "follow:mirrored", "follow:foot", "follow:distance"}));
+}
+
 /// Returns the switches in the views and matrices, which should have none. Switches that the step names or offers do
 /// not count, nor does the number field of a step bar.
 std::vector<std::string> switches(const Desk& desk) {
