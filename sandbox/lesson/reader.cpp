@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_steps = 200;
-
 /// Reads the topic under which lists show the lesson; "" if there is none.
 std::string group_at(const Json& document, const Where& where) {
     if (!has(document, "group")) return "";
@@ -96,7 +94,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
 }
 
 Lesson read_lesson_or_lecture(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
-    return is_lecture(document) ? read_lecture(document, folder, where, mistakes)
+    return is_lecture(document) ? read_lecture(document, folder, {where.prefix, "", &mistakes})
                                 : read_lesson(document, folder, where, mistakes);
 }
 

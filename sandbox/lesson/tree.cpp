@@ -45,6 +45,37 @@ LessonText read_text_of(const Json& value, const Where& where) {
     return text;
 }
 
+form::Form<LessonText> text_form(bool is_needed) {
+    const auto read = [](const Json& value, const Where& where) { return read_plain_text(value, where); };
+    const auto form = [&](std::size_t least) -> form::Form<std::string> {
+        const Json schema = {{"type", "string"},
+                             {"minLength", least},
+                             {"maxLength", longest_text},
+                             {"not", {{"pattern", "[\\u0000-\\u001f]"}}}};
+        return {"a string", &Json::is_string, read, [schema](Json&) { return schema; }};
+    };
+    const auto english = form(is_needed ? 1 : 0);
+    form::Object<LessonText> several;
+    for (std::size_t i = 0; i < language_count; ++i) {
+        const auto text = [i](LessonText & all) -> auto& {
+            return all.by_language[i];
+        };
+        i == 0 ? several.required(names_of<Language>()[i], english, text)
+               : several.optional(names_of<Language>()[i], form(0), text);
+    }
+    const auto one = [](const std::string& text) { return LessonText{{text}}; };
+    const auto is_there = [=](const LessonText& text, const Where& where) {
+        if (is_needed && text.empty()) where.refuse("must not be empty");
+    };
+    return form::either<LessonText>("a string or {\"en\": …, \"ko\": …}", {english.then(one), several.form()})
+        .then(is_there)
+        .named(is_needed ? "needed_text" : "text");
+}
+
+form::Form<std::vector<std::string>> names_form() {
+    return form::list(form::name(), "a list of names", {most_entries});
+}
+
 LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed) {
     if (!has(object, key)) {
         if (is_needed) where.key(key).refuse("is missing: a string");

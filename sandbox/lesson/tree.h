@@ -7,33 +7,9 @@
 #include <vector>
 
 #include "lesson/lesson.h"
-#include "state/file/reader.h"
+#include "state/file/form.h"
 
 namespace viewing {
-
-/// Collects the mistakes of a file, so that one run can report them all.
-class Mistakes {
-public:
-    /// Reads one part of the file. If the part is refused, keeps the message and returns false.
-    template <typename Read>
-    bool part(const Read& read) {
-        try {
-            read();
-            return true;
-        } catch (const Refusal& refusal) {
-            all_.emplace_back(refusal.what());
-            return false;
-        }
-    }
-    const std::vector<std::string>& all() const { return all_; }
-    /// Throws the first mistake, if there is any.
-    void refuse() const {
-        if (!all_.empty()) throw Refusal(all_.front());
-    }
-
-private:
-    std::vector<std::string> all_;
-};
 
 bool has(const Json& object, const char* key);
 
@@ -47,8 +23,13 @@ LessonText text_at(const Json& object, const char* key, const Where& where, bool
 std::string name_at(const Json& object, const char* key, const Where& where);
 std::vector<std::string> names_at(const Json& object, const char* key, const Where& where);
 
+/// A text in one language or in several; one that is needed has English words.
+form::Form<LessonText> text_form(bool is_needed);
+form::Form<std::vector<std::string>> names_form();
+
 std::vector<std::pair<std::string, LessonText>> read_tags(const Json& object, const Where& where);
 
 inline constexpr std::size_t most_entries = 64;  ///< the maximum number of entries in a list
+inline constexpr int most_steps = 200;           ///< of a lesson
 
 }  // namespace viewing
