@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/values.h"
+#include "lesson/exercise.h"
 #include "lesson/hand_in.h"
 #include "state/file/json.h"
 #include "state/file/schema.h"
@@ -21,10 +22,11 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
                  "use to complete and check it; scene-schema, suite-schema and so on: the schemas of other files");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    constexpr std::array formats{"json",         "text",           "schema",         "scene-schema",
-                                 "suite-schema", "lecture-schema", "hand-in-schema", "flight-schema"};
-    constexpr std::array lists{params_as_json, params_as_text, state_schema,   scene_schema,
-                               suite_schema,   lecture_schema, hand_in_schema, flight_schema};
+    constexpr std::array formats{"json",           "text",          "schema",         "scene-schema",
+                                 "suite-schema",   "lesson-schema", "lecture-schema", "exercise-schema",
+                                 "hand-in-schema", "flight-schema"};
+    constexpr std::array lists{params_as_json, params_as_text, state_schema,    scene_schema,   suite_schema,
+                               lesson_schema,  lecture_schema, exercise_schema, hand_in_schema, flight_schema};
     std::string listed = lists[choice_option(options, "--format", format.value_or("json"), formats)]();
     if (!listed.ends_with('\n')) listed += '\n';
     print(listed);
@@ -34,8 +36,8 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command params_command{"params",
-                                       "[--format json|text|schema|scene-schema|suite-schema|lecture-schema|"
-                                       "hand-in-schema|flight-schema]",
+                                       "[--format json|text|schema|scene-schema|suite-schema|lesson-schema|"
+                                       "lecture-schema|exercise-schema|hand-in-schema|flight-schema]",
                                        "lists every parameter: path, type, unit, range, default, what it does",
                                        "Lists every field of the state file, which is everything that --set can "
                                        "change. A state or scene may name its schema in \"$schema\".",

@@ -31,29 +31,12 @@ form::Form<std::string> answer_text() {
             }};
 }
 
-void append_numbers(const Json& value, std::vector<double>& numbers, const Where& where) {
-    if (value.is_number()) {
-        numbers.push_back(read_number(value, where, {-largest_number, largest_number}));
-        return;
-    }
-    require_array(value, where, most_numbers, "a number or a list of numbers");
-    for (std::size_t i = 0; i < value.size(); ++i) append_numbers(value[i], numbers, where.at(i));
-    if (numbers.size() > most_numbers) where.refuse("has more than " + std::to_string(most_numbers) + " numbers");
-}
-
-/// A number, or a list of numbers and lists.
-form::Form<std::vector<double>> numbers_form() {
-    const auto read = [](const Json& value, const Where& where) {
-        std::vector<double> numbers;
-        append_numbers(value, numbers, where);
-        return numbers;
-    };
-    const auto schema = [](Json& definitions) {
-        const Json list = form::list_of({{"$ref", "#/$defs/numbers"}}, most_numbers);
-        return form::defined(definitions, "numbers",
-                             {{"anyOf", {form::number_in({-largest_number, largest_number}), list}}});
-    };
-    return {"a number or a list of numbers", {}, read, schema};
+form::Form<std::vector<double>> answer_form() {
+    return numbers_form("numbers", {-largest_number, largest_number}, most_numbers)
+        .then([](const std::vector<double>& numbers, const Where& where) {
+            if (numbers.size() > most_numbers)
+                where.refuse("has more than " + std::to_string(most_numbers) + " numbers");
+        });
 }
 
 form::Form<Names> changes_form() {
@@ -73,7 +56,7 @@ Object<Attempt> attempt_form() {
         .optional("told", answer_text(), &Attempt::told)
         .exactly_one({"answer", "set", "hint"})
         .optional("hint", form::whole(1, 99), &Attempt::hint)
-        .optional("answer", numbers_form(), &Attempt::answer)
+        .optional("answer", answer_form(), &Attempt::answer)
         .optional("set", changes_form(), answer_goal);
 }
 
@@ -89,7 +72,7 @@ Object<HandInItem> item_form() {
         .optional("variant", form::whole(0, 9999), &HandInItem::variant)
         .optional("attempts", form::list(attempt_form().form(), "a list of attempts", {most_attempts}),
                   &HandInItem::attempts)
-        .optional("draft", numbers_form(), &HandInItem::draft)
+        .optional("draft", answer_form(), &HandInItem::draft)
         .optional("draft_set", changes_form(), &HandInItem::draft_settings)
         .optional("replay", form::list(replay_form().form(), "a list of changes", {most_replay_steps}),
                   &HandInItem::replay);

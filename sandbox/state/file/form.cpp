@@ -84,11 +84,25 @@ Form<int> version() {
 Form<std::vector<std::string>> settings() {
     return {"an object of paths and values", &Json::is_object, read_settings, [](Json& definitions) {
                 return defined(definitions, "settings",
-                               {{"type", "object"}, {"propertyNames", {{"not", {{"pattern", "="}}}}}});
+                               {{"$comment", "Only the program checks that the paths and values are those of a state."},
+                                {"type", "object"},
+                                {"propertyNames", {{"not", {{"pattern", "="}}}}}});
             }};
 }
 
+Form<std::vector<int>> slides() {
+    return list(whole(1, 9999), "a list of slide numbers", {100});
+}
+
+Form<const Json*> value(const std::string& what, const std::function<Json(Json& definitions)>& schema) {
+    return {what, {}, [](const Json& value, const Where&) { return &value; }, schema};
+}
+
 // ---- objects -------------------------------------------------------------------------------------------------------
+
+bool Keys::knows(const std::string& key) const {
+    return std::any_of(keys_.begin(), keys_.end(), [&](const Key& known) { return known.name == key; });
+}
 
 void Keys::check(const Json& object, const Where& where) const {
     std::vector<std::string> known;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -55,6 +56,13 @@ struct Form {
                               return all;
                           }};
     }
+    /// Returns the same form, of which only the first mistake is collected, because others may follow from it.
+    Form strict() const {
+        const auto read_strictly = [read = read](const Json& value, const Where& where) {
+            return read(value, {where.prefix, where.path});
+        };
+        return {what, takes, read_strictly, schema};
+    }
     /// Returns the same form, which the schema defines once under that name.
     Form named(const char* name) const {
         return {what, takes, read, [schema = schema, name](Json& definitions) {
@@ -86,6 +94,9 @@ Form<int> whole(int min, int max);
 Form<int> version();
 /// {PATH: VALUE, …}, read as a list of PATH=VALUE.
 Form<std::vector<std::string>> settings();
+Form<std::vector<int>> slides();
+/// A value that is read elsewhere.
+Form<const Json*> value(const std::string& what, const std::function<Json(Json& definitions)>& schema);
 
 /// One of these names, read as an enumerator or an index.
 template <typename Enum = int>
@@ -106,18 +117,19 @@ struct Count {
 
 /// A list whose first items have forms of their own; those after them are like the last one.
 template <typename V>
-Form<std::vector<V>> list(const std::vector<Form<V>>& items, const std::string& what, const Count& count) {
+Form<std::vector<V>> list(const std::vector<Form<V>>& forms, const std::string& what, const Count& count) {
+    const auto items = std::make_shared<const std::vector<Form<V>>>(forms);  // closures are copied often
     const auto read = [=](const Json& value, const Where& where) {
         require_array(value, where, count.most, what);
         if (value.size() < count.least) where.refuse(count.too_few);
         std::vector<V> values;
         for (std::size_t i = 0; i < value.size(); ++i)
-            where.part([&] { values.push_back(items[std::min(i, items.size() - 1)].read(value[i], where.at(i))); });
+            where.part([&] { values.push_back((*items)[std::min(i, items->size() - 1)].read(value[i], where.at(i))); });
         return values;
     };
     const auto schema = [=](Json& definitions) {
         Json schemas = Json::array();
-        for (const Form<V>& item : items) schemas.push_back(item.schema(definitions));
+        for (const Form<V>& item : *items) schemas.push_back(item.schema(definitions));
         return list_of(std::move(schemas), count.most, count.least);
     };
     return {what, &Json::is_array, read, schema};
@@ -131,19 +143,19 @@ Form<std::vector<V>> list(const Form<V>& item, const std::string& what, const Co
 /// A value that one of the forms takes: forms of different JSON types, or objects with different keys.
 template <typename V>
 Form<V> either(const std::string& what, const std::vector<Form<V>>& forms) {
-    const auto taker = [](const std::vector<Form<V>>& all, const Json& value) {
-        const auto form = std::find_if(all.begin(), all.end(), [&](const Form<V>& one) { return one.takes(value); });
-        return form == all.end() ? nullptr : &*form;
+    const auto all = std::make_shared<const std::vector<Form<V>>>(forms);
+    const auto taker = [all](const Json& value) {
+        return std::find_if(all->begin(), all->end(), [&](const Form<V>& one) { return one.takes(value); });
     };
     const auto read = [=](const Json& value, const Where& where) {
-        const Form<V>* const form = taker(forms, value);
-        if (!form) refuse_value(value, where, what);
+        const auto form = taker(value);
+        if (form == all->end()) refuse_value(value, where, what);
         return form->read(value, where);
     };
-    return {what, [=](const Json& value) { return taker(forms, value) != nullptr; }, read,
+    return {what, [=](const Json& value) { return taker(value) != all->end(); }, read,
             [=](Json& definitions) {
                 Json schemas = Json::array();
-                for (const Form<V>& form : forms) schemas.push_back(form.schema(definitions));
+                for (const Form<V>& form : *all) schemas.push_back(form.schema(definitions));
                 return Json{{"anyOf", std::move(schemas)}};
             }};
 }
@@ -156,16 +168,18 @@ public:
     /// Returns the schema.
     Json operator()(Json& definitions) const;
 
-protected:
     using Keyed = std::vector<const char*>;
+    struct Rule {
+        std::function<void(const Json& object, const Where& where)> check;
+        Json schema;
+    };
+
+protected:
+    bool knows(const std::string& key) const;
     struct Key {
         std::string name, what;
         bool is_needed;
         std::function<Json(Json& definitions)> schema;
-    };
-    struct Rule {
-        std::function<void(const Json& object, const Where& where)> check;
-        Json schema;
     };
     void check(const Json& object, const Where& where) const;
     /// Returns the member's value, or nullptr if it is missing. Refuses an object without a key that it needs.
@@ -178,10 +192,24 @@ protected:
 };
 
 /// An object that is read into a T, member by member in the order in which they are added. `into` is a pointer to a
-/// member of T, a function that returns a reference to where the value goes, or a function that takes the value.
+/// member of T, a function that returns a reference to where the value goes, or a function that takes the value and
+/// perhaps its place.
 template <typename T>
 class Object : public Keys {
 public:
+    template <typename V, typename Into>
+    Object& add(const char* key, const Form<V>& form, Into into, bool is_needed) {
+        keys_.push_back({key, form.what, is_needed, form.schema});
+        readers_.push_back([read = form.read, into](const Json& value, const Where& where, T& object) {
+            if constexpr (std::is_invocable_v<Into, T&, V, const Where&>)
+                into(object, read(value, where), where);
+            else if constexpr (std::is_invocable_v<Into, T&, V>)
+                into(object, read(value, where));
+            else
+                std::invoke(into, object) = read(value, where);
+        });
+        return *this;
+    }
     template <typename V, typename Into>
     Object& required(const char* key, const Form<V>& form, Into into) {
         return add(key, form, into, true);
@@ -196,15 +224,37 @@ public:
         return add(
             key, form, [](T&, const V&) {}, is_needed);
     }
+    /// An object whose members are read into this one.
+    Object& nested(const char* key, const Object& part, bool is_needed) {
+        const auto read = [shared = part.shared()](T& object, const Json* value, const Where& where) {
+            shared->read_into(object, *value, where);
+        };
+        return add(key, part.unread(), read, is_needed);
+    }
+    /// A list of objects that are read into this one, one after another; next(T&) precedes each.
+    template <typename Next>
+    Object& each(const char* key, const Object& item, const std::string& what, const Count& count, Next next) {
+        const auto read = [next, shared = item.shared()](T& object, const std::vector<const Json*>& values,
+                                                         const Where& where) {
+            for (std::size_t i = 0; i < values.size(); ++i)
+                where.part([&] {
+                    next(object);
+                    shared->read_into(object, *values[i], {where.at(i).prefix, where.at(i).path});
+                });
+        };
+        return optional(key, list(item.unread(), what, count), read);
+    }
     /// The version of the file's format, which also tells the format; a schema's name may precede it.
     Object& version(const char* key) { return ignored({"$schema"}).checked(key, form::version(), true); }
     /// Members that another kind of the object has: allowed here, and not read.
     Object& ignored(const Keyed& keys) {
-        const auto read = [](const Json&, const Where&) { return true; };
         for (const char* const key : keys)
-            add(
-                key, Form<bool>{"", {}, read, [](Json&) { return Json(true); }}, [](T&, bool) {}, false);
+            if (!knows(key)) checked(key, value("", [](Json&) { return Json(true); }));
         return *this;
+    }
+    Object& refused(const char* key, const char* why) {
+        const auto read = [why](const Json&, const Where& where) -> bool { where.refuse(why); };
+        return knows(key) ? *this : checked(key, Form<bool>{"", {}, read, [](Json&) { return Json(false); }});
     }
     /// All members of another object, which is part of this one: into(T&) returns a reference to it.
     template <typename U, typename Into>
@@ -217,34 +267,45 @@ public:
             });
         return *this;
     }
-    Object& at_most_one(const Keyed& keys) { return ruled(one_of_keys(keys, false)); }
-    Object& exactly_one(const Keyed& keys) { return ruled(one_of_keys(keys, true)); }
+    Object& at_most_one(const Keyed& keys) { return rule(one_of_keys(keys, false)); }
+    Object& exactly_one(const Keyed& keys) { return rule(one_of_keys(keys, true)); }
+    Object& rule(Rule rule) {
+        rules_.push_back(std::move(rule));
+        return *this;
+    }
     /// The keys are allowed only together with another.
     Object& need(const Keyed& keys, const char* needed) {
         for (const char* const key : keys) rules_.push_back(needed_by(key, needed));
         return *this;
     }
 
-    /// Reads the members into `object`, which has the values of those that are missing.
-    T read(const Json& value, const Where& where, T object = {}) const {
+    /// Reads the members. Those that are missing keep their values.
+    void read_into(T& object, const Json& value, const Where& where) const {
         check(value, where);
+        read_members(object, value, where);
+    }
+    /// Reads without checking the other keys.
+    void read_members(T& object, const Json& value, const Where& where) const {
         for (std::size_t i = 0; i < keys_.size(); ++i)
             where.part([&] {
                 const Json* const member = found(value, keys_[i], where);
                 if (member) readers_[i](*member, where.key(keys_[i].name), object);
             });
+    }
+    T read(const Json& value, const Where& where, T object = {}) const {
+        read_into(object, value, where);
         return object;
     }
 
     /// Returns the form of the object, whose members begin as in start(), if there is one. With a key, it takes only
     /// objects with the key.
     Form<T> form(const std::function<T()>& start = {}, const std::string& key = "") const {
+        const auto read = [start, self = shared()](const Json& value, const Where& where) {
+            return self->read(value, where, start ? start() : T{});
+        };
         return {"an object",
-                [=](const Json& value) { return value.is_object() && (key.empty() || value.contains(key)); },
-                [=, self = *this](const Json& value, const Where& where) {
-                    return self.read(value, where, start ? start() : T{});
-                },
-                Keys(*this)};
+                [=](const Json& value) { return value.is_object() && (key.empty() || value.contains(key)); }, read,
+                unread().schema};
     }
 
 private:
@@ -252,20 +313,9 @@ private:
     friend class Object;
     using Reader = std::function<void(const Json& value, const Where& where, T& object)>;
 
-    template <typename V, typename Into>
-    Object& add(const char* key, const Form<V>& form, Into into, bool is_needed) {
-        keys_.push_back({key, form.what, is_needed, form.schema});
-        readers_.push_back([read = form.read, into](const Json& value, const Where& where, T& object) {
-            if constexpr (std::is_invocable_v<Into, T&, V>)
-                into(object, read(value, where));
-            else
-                std::invoke(into, object) = read(value, where);
-        });
-        return *this;
-    }
-    Object& ruled(Rule rule) {
-        rules_.push_back(std::move(rule));
-        return *this;
+    std::shared_ptr<const Object> shared() const { return std::make_shared<const Object>(*this); }
+    Form<const Json*> unread() const {
+        return value("an object", [self = shared()](Json& definitions) { return (*self)(definitions); });
     }
 
     std::vector<Reader> readers_;

@@ -159,7 +159,8 @@ Json scene_of(Json properties) {
 Json with_titles(const Json& properties) {
     Json all = Json::object();
     for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};
-    all["slides"] = {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}, {"maximum", 9999}}}};
+    Json none;
+    all["slides"] = form::slides().schema(none);
     all.update(properties);
     return all;
 }
@@ -225,6 +226,10 @@ Json state_definition(Json& definitions) {
 
 Json state_without_titles(Json& definitions) {
     return whole_state(definitions, false);
+}
+
+Json field_schema(const Field& field) {
+    return described(field);
 }
 
 std::string state_schema() {

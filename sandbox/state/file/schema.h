@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "state/fields.h"
 #include "state/file/document.h"
 
 namespace viewing {
@@ -17,5 +18,7 @@ std::string flight_schema();
 /// Return the schema of a state inside another file.
 Json state_definition(Json& definitions);
 Json state_without_titles(Json& definitions);
+/// Returns the schema of a field's value.
+Json field_schema(const Field& field);
 
 }  // namespace viewing

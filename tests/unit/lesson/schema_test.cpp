@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "agreement.h"
+#include "lesson/exercise.h"
 #include "lesson/hand_in.h"
 #include "lesson/lesson.h"
 #include "platform/file.h"
@@ -37,6 +38,44 @@ TEST(LessonSchemas, OfALectureAcceptsWhatTheReaderAccepts) {
         "must be the name of a preset"};
     expect_agreement(lecture_schema(), {small}, 300, 71, complaint, only_reader);
     expect_agreement(lecture_schema(), files_of("lectures"), 30, 74, complaint, only_reader);
+}
+
+TEST(LessonSchemas, OfALessonAcceptsWhatTheReaderAccepts) {
+    if (!has_validator()) GTEST_SKIP() << no_validator;
+    const auto complaint = [](const std::string& text) {
+        const Result<Lesson> read = parse_lesson(text, "a.json", "");
+        return read ? "" : read.error();
+    };
+    // Paths and values of settings, expressions, numbers of items and entries, and names of targets, presets, fields
+    // and exercises.
+    const std::vector<std::string> only_reader{".set: ",
+                                               ".model: ",
+                                               ".try",
+                                               ".value",
+                                               ".when: ",
+                                               ".until: ",
+                                               "expect",
+                                               "factors",
+                                               "claims",
+                                               "nothing in the window has this name",
+                                               "neither a file nor a preset",
+                                               "no such field; did you mean",
+                                               "there is no exercise",
+                                               "another step has the id",
+                                               "must be the name of a preset"};
+    expect_agreement(lesson_schema(), files_of("lessons"), 60, 75, complaint, only_reader);
+}
+
+TEST(LessonSchemas, OfAnExerciseAcceptsWhatTheReaderAccepts) {
+    if (!has_validator()) GTEST_SKIP() << no_validator;
+    const auto complaint = [](const std::string& text) {
+        const Result<Exercise> read = parse_exercise(text, "a.json", "");
+        return read ? "" : read.error();
+    };
+    // Expressions, combinations, and the constants of each stored variant. The step depends on the constants: it is
+    // read for each variant.
+    expect_agreement(exercise_schema(), files_of("exercises"), 30, 76, complaint,
+                     {"require", "combination", "deployed[", "is not a valid name"});
 }
 
 TEST(LessonSchemas, OfAHandInAcceptsWhatTheReaderAccepts) {
