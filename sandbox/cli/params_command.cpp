@@ -19,7 +19,8 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
     std::optional<std::string> format;
     options.text("--format", "FORMAT", format,
                  "json (default) for programs, text for people; schema: the JSON Schema of a state file, which editors "
-                 "use to complete and check it; scene-schema, suite-schema and so on: the schemas of other files");
+                 "use to complete and check it; FORM-schema: that of scene, suite, lesson, lecture, exercise, hand-in "
+                 "or flight files");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     constexpr std::array formats{"json",           "text",          "schema",         "scene-schema",
@@ -36,8 +37,7 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command params_command{"params",
-                                       "[--format json|text|schema|scene-schema|suite-schema|lesson-schema|"
-                                       "lecture-schema|exercise-schema|hand-in-schema|flight-schema]",
+                                       "[--format json|text|schema|FORM-schema]",
                                        "lists every parameter: path, type, unit, range, default, what it does",
                                        "Lists every field of the state file, which is everything that --set can "
                                        "change. A state or scene may name its schema in \"$schema\".",

@@ -20,15 +20,7 @@ using Names = std::vector<std::string>;
 
 /// A text that nobody but people reads.
 form::Form<std::string> answer_text() {
-    const auto read = [](const Json& value, const Where& where) {
-        if (!value.is_string()) refuse_value(value, where, "a string");
-        std::string text = value.get<std::string>();
-        if (text.size() > longest_answer) where.refuse("longer than " + std::to_string(longest_answer) + " bytes");
-        return text;
-    };
-    return {"a string", &Json::is_string, read, [](Json&) {
-                return Json{{"type", "string"}, {"maxLength", longest_answer}};
-            }};
+    return form::text("a string", longest_answer);
 }
 
 form::Form<std::vector<double>> answer_form() {

@@ -18,12 +18,7 @@ using form::Object;
 
 /// The topic under which lists show the lesson.
 form::Form<std::string> group_form() {
-    const char* const what = "a topic, such as \"Camera\"";
-    const auto read = [what](const Json& value, const Where& where) {
-        if (!value.is_string()) where.refuse(std::string("must be ") + what);
-        return value.get<std::string>();
-    };
-    return {what, {}, read, [](Json&) { return Json{{"type", "string"}}; }};
+    return form::text("a topic, such as \"Camera\"");
 }
 
 /// What the lesson's last card says: three sentences, and the matching exercise.

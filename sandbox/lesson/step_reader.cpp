@@ -115,8 +115,7 @@ constexpr LayoutPlace layout_places[] = {{"big", "view.layout.big"},
                                          {"pin", "view.pin"}};
 
 Object<LessonStep> layout_form() {
-    const auto point = form::list(form::number({-1e6, 1e6}), "[x, y, z]", {3, 3, "must be [x, y, z]"})
-                           .then([](const std::vector<double>& at) { return glm::dvec3(at[0], at[1], at[2]); });
+    const auto point = form::vec3({-1e6, 1e6}, "[x, y, z]");
     const auto target = Object<LessonTarget>()
                             .required("point", point, &LessonTarget::point_world)
                             .optional("label", text_form(false), &LessonTarget::label);
@@ -174,7 +173,7 @@ form::Form<std::vector<int>> items_form() {
 }
 
 void check_items(const std::vector<int>& items, const Ask& ask, const Where& where) {
-    for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t i = 0; i < items.size() && !ask.items.empty(); ++i)  // empty: they have a mistake
         if (items[i] >= std::ssize(ask.items))
             where.at(i).refuse("must be a whole number from 0 to " + std::to_string(ask.items.size() - 1));
 }
@@ -257,7 +256,8 @@ void add_items(Object<LessonStep>& question, AskKind kind, const LessonReading& 
     question
         .required("items",
                   form::list(text_form(false), "a list of two to twelve strings",
-                             {most_tiles, 2, "must have at least two items"}),
+                             {most_tiles, 2, "must have at least two items"})
+                      .strict(),
                   in_ask(&Ask::items))
         .required("expect", expected_items_form(), expect);
     if (kind == AskKind::product || kind == AskKind::sequence)

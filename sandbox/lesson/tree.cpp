@@ -18,22 +18,13 @@ namespace {
 
 /// A line of text, not empty if it is needed.
 form::Form<std::string> line_form(bool is_needed) {
-    constexpr std::size_t longest = 4000;  // bytes
-    const auto read = [=](const Json& value, const Where& where) {
-        if (!value.is_string()) refuse_value(value, where, "a string");
-        std::string text = value.get<std::string>();
+    const auto is_line = [=](const std::string& text, const Where& where) {
         if (is_needed && text.empty()) where.refuse("must not be empty");
-        if (text.size() > longest) where.refuse("longer than " + std::to_string(longest) + " bytes");
         if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
             where.refuse("must not contain line breaks or other control characters");
-        return text;
     };
-    return {"a string", &Json::is_string, read, [=](Json&) {
-                return Json{{"type", "string"},
-                            {"minLength", is_needed ? 1 : 0},
-                            {"maxLength", longest},
-                            {"not", {{"pattern", "[\\u0000-\\u001f]"}}}};
-            }};
+    return form::text("a string", 4000)
+        .then(is_line, {{"minLength", is_needed ? 1 : 0}, {"not", {{"pattern", "[\\u0000-\\u001f]"}}}});
 }
 
 void append_numbers(const Json& value, std::vector<double>& numbers, const Range& range, std::size_t most,

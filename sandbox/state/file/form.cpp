@@ -38,6 +38,10 @@ Json name_schema() {
         {"type", "string"}, {"minLength", 1}, {"maxLength", 1024}, {"not", {{"pattern", "[\\u0000-\\u001f\\u007f]"}}}};
 }
 
+Json color_schema() {
+    return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+}
+
 std::string document(const char* title, const std::function<Json(Json& definitions)>& content) {
     Json whole = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
     Json definitions = Json::object();
@@ -51,6 +55,16 @@ std::string document(const char* title, const std::function<Json(Json& definitio
 Form<std::string> name(const std::string& what) {
     return {what, &Json::is_string, read_name,
             [](Json& definitions) { return defined(definitions, "name", name_schema()); }};
+}
+
+Form<std::string> text(const std::string& what, std::size_t most_bytes) {
+    const auto read = [=](const Json& value, const Where& where) {
+        if (!value.is_string()) refuse_value(value, where, what);
+        auto text = value.get<std::string>();
+        if (text.size() > most_bytes) where.refuse("longer than " + std::to_string(most_bytes) + " bytes");
+        return text;
+    };
+    return {what, &Json::is_string, read, [=](Json&) { return Json{{"type", "string"}, {"maxLength", most_bytes}}; }};
 }
 
 Form<bool> boolean() {
@@ -67,6 +81,15 @@ Form<int> whole(int min, int max) {
     return {"a whole number " + range_text({static_cast<double>(min), static_cast<double>(max)}), &Json::is_number,
             [=](const Json& value, const Where& where) { return read_whole(value, where, min, max); },
             [=](Json&) { return whole_in(min, max); }};
+}
+
+Form<Color> color() {
+    return {"a color", &Json::is_string, read_color, [](Json&) { return color_schema(); }};
+}
+
+Form<glm::dvec3> vec3(const Range& range, const std::string& what) {
+    const auto read = [=](const Json& value, const Where& where) { return read_vec3(value, where, range, what); };
+    return {what, &Json::is_array, read, [=](Json&) { return list_of(number_in(range), 3, 3); }};
 }
 
 Form<int> version() {
@@ -107,7 +130,8 @@ bool Keys::knows(const std::string& key) const {
 void Keys::check(const Json& object, const Where& where) const {
     std::vector<std::string> known;
     for (const Key& key : keys_) known.push_back(key.name);
-    if (!where.part([&] { require_keys(object, where, known); }) && !object.is_object()) throw KnownRefusal("");
+    require_object(object, where, what_);
+    where.part([&] { require_keys(object, where, known); });
     for (const Rule& rule : rules_) where.part([&] { rule.check(object, where); });
 }
 

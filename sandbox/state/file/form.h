@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -79,6 +78,7 @@ Json whole_in(double min, double max);
 Json one_of(std::span<const char* const> names);
 Json name_schema();
 Json object_of(Json properties);
+Json color_schema();
 /// Returns the schema of a list: of like items, or of an array of items.
 Json list_of(Json items, std::size_t most, std::size_t least = 0);
 /// Returns the text of a file's schema, whose content may add to the definitions.
@@ -87,9 +87,14 @@ std::string document(const char* title, const std::function<Json(Json& definitio
 // ---- plain values --------------------------------------------------------------------------------------------------
 
 Form<std::string> name(const std::string& what = "a name");
+/// Any text of at most that many bytes.
+Form<std::string> text(const std::string& what = "a string", std::size_t most_bytes = max_document_bytes);
 Form<bool> boolean();
 Form<double> number(const Range& range);
 Form<int> whole(int min, int max);
+Form<Color> color();
+/// Three numbers [x, y, z].
+Form<glm::dvec3> vec3(const Range& range, const std::string& what);
 /// The number 1: the version of a file's format.
 Form<int> version();
 /// {PATH: VALUE, …}, read as a list of PATH=VALUE.
@@ -165,6 +170,7 @@ Form<V> either(const std::string& what, const std::vector<Form<V>>& forms) {
 /// The keys of an object, and the rules about them.
 class Keys {
 public:
+    explicit Keys(std::string what) : what_(std::move(what)) {}
     /// Returns the schema.
     Json operator()(Json& definitions) const;
 
@@ -187,6 +193,7 @@ protected:
     static Rule one_of_keys(const Keyed& keys, bool is_needed);
     static Rule needed_by(const char* key, const char* needed);
 
+    std::string what_;  ///< completes "must be"
     std::vector<Key> keys_;
     std::vector<Rule> rules_;
 };
@@ -197,6 +204,7 @@ protected:
 template <typename T>
 class Object : public Keys {
 public:
+    explicit Object(const std::string& what = "an object") : Keys(what) {}
     template <typename V, typename Into>
     Object& add(const char* key, const Form<V>& form, Into into, bool is_needed) {
         keys_.push_back({key, form.what, is_needed, form.schema});
@@ -303,9 +311,8 @@ public:
         const auto read = [start, self = shared()](const Json& value, const Where& where) {
             return self->read(value, where, start ? start() : T{});
         };
-        return {"an object",
-                [=](const Json& value) { return value.is_object() && (key.empty() || value.contains(key)); }, read,
-                unread().schema};
+        return {what_, [=](const Json& value) { return value.is_object() && (key.empty() || value.contains(key)); },
+                read, unread().schema};
     }
 
 private:
@@ -315,10 +322,16 @@ private:
 
     std::shared_ptr<const Object> shared() const { return std::make_shared<const Object>(*this); }
     Form<const Json*> unread() const {
-        return value("an object", [self = shared()](Json& definitions) { return (*self)(definitions); });
+        return value(what_, [self = shared()](Json& definitions) { return (*self)(definitions); });
     }
 
     std::vector<Reader> readers_;
 };
 
 }  // namespace viewing::form
+
+namespace viewing {
+
+form::Object<SceneDescription> scene_form();
+
+}  // namespace viewing

@@ -1,7 +1,6 @@
 #include "state/file/schema.h"
 
 #include "state/file/form.h"
-#include "state/file/scene_limits.h"
 #include "state/overloaded.h"
 
 namespace viewing {
@@ -15,10 +14,6 @@ Json exactly(std::size_t count, const Json& item) {
 
 Json null_or(Json schema) {
     return {{"anyOf", Json::array({{{"type", "null"}}, std::move(schema)})}};
-}
-
-Json color() {
-    return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
 }
 
 Json matrix(const Range& range) {
@@ -70,7 +65,7 @@ Json of_type(const Field& field) {
             },
             [&](glm::dvec3*) { return vector<glm::dvec3>(field); },
             [&](glm::dvec4*) { return vector<glm::dvec4>(field); },
-            [](Color*) { return color(); },
+            [](Color*) { return form::color_schema(); },
             [](EnumRef choice) { return one_of(choice.names); },
             [](SceneSource*) -> Json {
                 return {{"anyOf", Json::array({name_schema(), {{"$ref", "#/$defs/scene"}}})}};
@@ -111,48 +106,6 @@ Json described(const Field& field) {
     schema["description"] = field.help;
     schema["default"] = field_as_json(field, defaults);
     return schema;
-}
-
-/// Returns the rule that only this shape may have the key and, if `is_needed`, must have it.
-Json only_of(ShapeKind shape, const char* key, bool is_needed) {
-    const Json is_shape = {{"properties", {{"shape", {{"const", name_of(shape)}}}}}};
-    const Json has_key = {{"required", Json::array({key})}};
-    return {{"if", is_shape}, {"then", is_needed ? has_key : Json(true)}, {"else", {{"not", has_key}}}};
-}
-
-Json scene_object() {
-    const Json factor = {
-        {"anyOf", Json::array({number_in(scale_range), number_in({-scale_range.max, -scale_range.min})})}};
-    const Json place = exactly(3, number_in(position_range));
-    Json object = object_of({{"name", name_schema()},
-                             {"shape", one_of(names_of<ShapeKind>())},
-                             {"position", place},
-                             {"rotation", exactly(3, number_in(angle_range))},
-                             {"scale", exactly(3, factor)},
-                             {"color", color()},
-                             {"decal", {{"type", "boolean"}}},
-                             {"vertices", exactly(3, place)},
-                             {"file", name_schema()},
-                             {"crease_deg", number_in(crease_range)},
-                             {"fit", {{"type", "boolean"}}},
-                             {"resolution", whole_in(1, max_resolution)}});
-    object["required"] = {"name", "shape"};
-    object["allOf"] =
-        Json::array({only_of(ShapeKind::triangle, "vertices", true), only_of(ShapeKind::mesh, "file", true),
-                     only_of(ShapeKind::mesh, "crease_deg", false), only_of(ShapeKind::mesh, "fit", false),
-                     only_of(ShapeKind::teapot, "resolution", false)});
-    return object;
-}
-
-/// Returns the properties of a scene, which either lists its objects or is made by a formula.
-Json scene_properties() {
-    return {{"objects", list_of(scene_object(), max_objects)}, {"made_by", one_of(formulas)}};
-}
-
-Json scene_of(Json properties) {
-    Json scene = object_of(std::move(properties));
-    scene["oneOf"] = Json::array({{{"required", {"objects"}}}, {{"required", {"made_by"}}}});
-    return scene;
 }
 
 /// Returns the properties with the titles in front.
@@ -213,7 +166,7 @@ Json whole_state(Json& definitions, bool has_titles) {
     add_look_at(root["properties"]["camera"]);
     add_rules_of_range(root);
     if (has_titles) root["properties"] = with_titles(root["properties"]);
-    definitions["scene"] = scene_of(scene_properties());
+    definitions["scene"] = scene_form()(definitions);
     return root;
 }
 
@@ -238,8 +191,11 @@ std::string state_schema() {
 }
 
 std::string scene_schema() {
-    return form::document("A scene of Viewing Sandbox",
-                          [](Json&) { return scene_of(with_titles(scene_properties())); });
+    return form::document("A scene of Viewing Sandbox", [](Json& definitions) {
+        Json scene = scene_form()(definitions);
+        scene["properties"] = with_titles(scene["properties"]);
+        return scene;
+    });
 }
 
 }  // namespace viewing
