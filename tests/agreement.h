@@ -15,7 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "platform/file.h"
 #include "state/file/document.h"
+#include "state/scene.h"
 
 namespace viewing {
 
@@ -23,6 +25,14 @@ inline constexpr const char* no_validator = "no validator: Debian's package pyth
 
 inline bool has_validator() {
     return std::system("/usr/bin/python3 -c 'from jsonschema import Draft202012Validator' 2>/dev/null") == 0;
+}
+
+/// Returns the documents of a folder of the assets.
+inline std::vector<Json> files_of(const char* folder) {
+    std::vector<Json> documents;
+    for (const std::filesystem::path& file : files_in(assets_directory() / folder, ".json"))
+        documents.push_back(parse_document(*read_text_file(file), ""));
+    return documents;
 }
 
 /// Returns whether each document is valid; each is one line of JSON.

@@ -123,10 +123,10 @@ Result<Lesson> parse_lesson(std::string_view json, const std::string& source, co
 }
 
 std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source, const fs::path& folder) {
-    Mistakes mistakes;
+    std::vector<std::string> mistakes;
     const Where root{source + ": ", "", &mistakes};
     root.part([&] { read_lesson_or_lecture(parse_document(json, root.prefix), folder, root); });
-    return mistakes.all();
+    return mistakes;
 }
 
 namespace {

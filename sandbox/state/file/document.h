@@ -25,11 +25,6 @@ struct SyntaxRefusal : Refusal {
     using Refusal::Refusal;
 };
 
-/// Thrown to leave a part whose mistakes have been collected.
-struct KnownRefusal : Refusal {
-    using Refusal::Refusal;
-};
-
 /// Runs a reader and converts its refusal to the result's error.
 template <typename Read>
 auto guarded(Read read) -> Result<decltype(read())> {
@@ -40,53 +35,34 @@ auto guarded(Read read) -> Result<decltype(read())> {
     }
 }
 
-/// Collects the mistakes of a file, so that one run can report them all.
-class Mistakes {
-public:
-    /// Reads one part of the file. If the part or a part of it is refused, keeps the message and returns false.
-    template <typename Read>
-    bool part(const Read& read) {
-        const std::size_t before = all_.size();
-        try {
-            read();
-        } catch (const KnownRefusal&) {
-        } catch (const Refusal& refusal) {
-            all_.emplace_back(refusal.what());
-        }
-        return all_.size() == before;
-    }
-    const std::vector<std::string>& all() const { return all_; }
-    /// Throws the first mistake, if there is any.
-    void refuse() const {
-        if (!all_.empty()) throw Refusal(all_.front());
-    }
-
-private:
-    std::vector<std::string> all_;
-};
-
 /// A place in a document: the prefix of every message, the path so far, and the mistakes if they are collected.
 struct Where {
-    std::string prefix;            ///< "state.json: " or "--set "
-    std::string path;              ///< "projection.near", with each key cut at 20 characters; empty at the root
-    Mistakes* mistakes = nullptr;  ///< nullptr: the first mistake ends the reading
+    std::string prefix;  ///< "state.json: " or "--set "
+    std::string path;    ///< "projection.near", with each key cut at 20 characters; empty at the root
+    std::vector<std::string>* mistakes = nullptr;  ///< nullptr: the first mistake ends the reading
 
     Where key(std::string_view name) const;
     Where at(std::size_t index) const;
     [[noreturn]] void refuse(const std::string& what) const;
-    /// Reads a part that others do not depend on; returns false if a mistake in it was collected.
+    /// Reads a part that others do not depend on, so that one run can report all mistakes of a file. Returns false if
+    /// the part had mistakes, which were collected.
     template <typename Read>
     bool part(const Read& read) const {
-        if (mistakes) return mistakes->part(read);
-        read();
-        return true;
+        const std::size_t before = mistakes ? mistakes->size() : 0;
+        try {
+            read();
+        } catch (const Refusal& refusal) {
+            if (!mistakes) throw;
+            if (*refusal.what() != '\0') mistakes->emplace_back(refusal.what());
+        }
+        return !mistakes || mistakes->size() == before;
     }
-    /// Returns the value that `read` returns, which must have no mistake.
+    /// Returns the value that `read` returns. If mistakes in it were collected, leaves the part by an empty Refusal.
     template <typename Read>
     auto whole(const Read& read) const {
-        const std::size_t before = mistakes ? mistakes->all().size() : 0;
+        const std::size_t before = mistakes ? mistakes->size() : 0;
         auto value = read();
-        if (mistakes && mistakes->all().size() > before) throw KnownRefusal("");
+        if (mistakes && mistakes->size() > before) throw Refusal("");
         return value;
     }
 };

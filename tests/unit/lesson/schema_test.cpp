@@ -6,20 +6,9 @@
 #include "lesson/exercise.h"
 #include "lesson/hand_in.h"
 #include "lesson/lesson.h"
-#include "platform/file.h"
-#include "state/scene.h"
 
 namespace viewing {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::vector<Json> files_of(const char* folder) {
-    std::vector<Json> documents;
-    for (const fs::path& file : files_in(assets_directory() / folder, ".json"))
-        documents.push_back(parse_document(*read_text_file(file), ""));
-    return documents;
-}
 
 TEST(LessonSchemas, OfALectureAcceptsWhatTheReaderAccepts) {
     if (!has_validator()) GTEST_SKIP() << no_validator;

@@ -2,20 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "agreement.h"
-#include "platform/file.h"
 #include "state/file/json.h"
 #include "state/file/schema.h"
-#include "state/scene.h"
 
 namespace viewing {
 namespace {
-
-std::vector<Json> files_of(const char* folder) {
-    std::vector<Json> documents;
-    for (const std::filesystem::path& file : files_in(assets_directory() / folder, ".json"))
-        documents.push_back(parse_document(*read_text_file(file), ""));
-    return documents;
-}
 
 TEST(StateSchemas, OfAStateAcceptsWhatTheReaderAccepts) {
     if (!has_validator()) GTEST_SKIP() << no_validator;
