@@ -36,10 +36,9 @@ struct Shelves {
 /// A part as it is read.
 struct PartRead {
     Lecture::Part part;
-    std::vector<LessonStep> steps;  ///< those of a preset
+    std::vector<LessonStep> steps;  ///< of the lesson, those that are chosen; empty: all
     const Lesson* lesson = nullptr;
     bool has_end = true;
-    std::vector<Json> chosen;  ///< steps of the lesson, by number or id; empty: all
 };
 
 const LessonStep& step_of(const Lesson& lesson, const Json& value, const Where& where) {
@@ -65,14 +64,16 @@ form::Form<PartRead> lesson_part(Shelves& shelves) {
     const auto as_json = [](const auto& value) { return Json(value); };
     const auto chosen = form::either<Json>("a step's number, from 1, or its id",
                                            {form::whole(1, most_steps).then(as_json), form::name().then(as_json)});
-    const auto finish = [](PartRead read, const Where& where) {
+    const auto finish = [](PartRead read) {
         read.part.lesson = read.lesson->id;
         if (read.part.title.empty()) read.part.title = read.lesson->title;
         if (read.has_end) read.part.end = read.lesson->end;
-        if (read.chosen.empty()) read.steps = read.lesson->steps;
-        for (std::size_t i = 0; i < read.chosen.size(); ++i)
-            where.part([&] { read.steps.push_back(step_of(*read.lesson, read.chosen[i], where.key("steps").at(i))); });
+        if (read.steps.empty()) read.steps = read.lesson->steps;
         return read;
+    };
+    const auto choose = [](PartRead& read, const std::vector<Json>& chosen, const Where& where) {
+        for (std::size_t i = 0; read.lesson && i < chosen.size(); ++i)
+            where.part([&] { read.steps.push_back(step_of(*read.lesson, chosen[i], where.at(i))); });
     };
     return minutes_of_part()
         .required("lesson", form::name().then(lesson), &PartRead::lesson)
@@ -82,7 +83,7 @@ form::Form<PartRead> lesson_part(Shelves& shelves) {
         .optional("steps",
                   form::list(chosen, "a list of steps: their numbers, from 1, or their ids",
                              {most_entries, 1, "must have at least one step"}),
-                  &PartRead::chosen)
+                  choose)
         .form({}, "lesson")
         .then(finish);
 }
