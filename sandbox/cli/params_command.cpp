@@ -5,9 +5,11 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/values.h"
+#include "lesson/exercise.h"
+#include "lesson/hand_in.h"
 #include "state/file/json.h"
 #include "state/file/schema.h"
-#include "suite/schema.h"
+#include "suite/suite.h"
 
 namespace viewing {
 namespace {
@@ -17,11 +19,15 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
     std::optional<std::string> format;
     options.text("--format", "FORMAT", format,
                  "json (default) for programs, text for people; schema: the JSON Schema of a state file, which editors "
-                 "use to complete and check it; scene-schema, suite-schema: the schemas of scenes and suites");
+                 "use to complete and check it; FORM-schema: that of scene, suite, lesson, lecture, exercise, hand-in "
+                 "or flight files");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    constexpr std::array formats{"json", "text", "schema", "scene-schema", "suite-schema"};
-    constexpr std::array lists{params_as_json, params_as_text, state_schema, scene_schema, suite_schema};
+    constexpr std::array formats{"json",           "text",          "schema",         "scene-schema",
+                                 "suite-schema",   "lesson-schema", "lecture-schema", "exercise-schema",
+                                 "hand-in-schema", "flight-schema"};
+    constexpr std::array lists{params_as_json, params_as_text, state_schema,    scene_schema,   suite_schema,
+                               lesson_schema,  lecture_schema, exercise_schema, hand_in_schema, flight_schema};
     std::string listed = lists[choice_option(options, "--format", format.value_or("json"), formats)]();
     if (!listed.ends_with('\n')) listed += '\n';
     print(listed);
@@ -31,7 +37,7 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command params_command{"params",
-                                       "[--format json|text|schema|scene-schema|suite-schema]",
+                                       "[--format json|text|schema|FORM-schema]",
                                        "lists every parameter: path, type, unit, range, default, what it does",
                                        "Lists every field of the state file, which is everything that --set can "
                                        "change. A state or scene may name its schema in \"$schema\".",

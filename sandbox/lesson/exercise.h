@@ -47,6 +47,9 @@ Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const 
 /// Selects the exercises of a set, or those in a comma-separated list of ids; "" selects all. The error lists the sets.
 Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std::string& set);
 
+/// Returns the JSON Schema of exercise files.
+std::string exercise_schema();
+
 /// Reads an exercise from a string. Errors begin with `source`; file names in its scenes are relative to `folder`.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 

@@ -26,18 +26,28 @@ constexpr std::size_t most_required = 40'000;                 // evaluations of 
 constexpr std::size_t instructions_of_require = 100'000'000;  // for all evaluations together: a few seconds
 constexpr std::size_t longest_variant = 8192;                 // bytes of a combination as JSON
 
-/// Reads the lists that constants are picked from.
-const Json& read_picks(const Json& document, const Where& where) {
-    const Where inside = where.key("pick");
-    if (!has(document, "pick")) inside.refuse("is missing: an object of names and lists of values");
-    require_object(document["pick"], inside, "an object of names and lists of values");
-    if (document["pick"].empty()) inside.refuse("must have at least one name");
-    for (const auto& [name, values] : document["pick"].items()) {
-        require_constant_name(name, inside);
-        require_array(values, inside.key(name), most_entries, "a list of values");
-        if (values.empty()) inside.key(name).refuse("must have at least one value");
-    }
-    return document["pick"];
+using form::Object;
+using Names = std::vector<std::string>;
+
+/// The lists that constants are picked from. The expressions of the file know the names.
+form::Form<Json> picks_form(LessonReading& reading) {
+    const char* const what = "an object of names and lists of values";
+    const auto values = form::list(form::value("a value", [](Json&) { return Json(true); }), "a list of values",
+                                   {most_entries, 1, "must have at least one value"});
+    const auto read = [&reading, values, what](const Json& value, const Where& where) {
+        require_object(value, where, what);
+        if (value.empty()) where.refuse("must have at least one name");
+        for (const auto& [name, list] : value.items()) {
+            require_constant_name(name, where);
+            values.read(list, where.key(name));
+        }
+        reading.constants = keys_of(value);
+        return value;
+    };
+    return {
+        what, {}, read, [values](Json& definitions) {
+            return Json{{"type", "object"}, {"minProperties", 1}, {"additionalProperties", values.schema(definitions)}};
+        }};
 }
 
 /// Returns the combination with that index; the last list varies fastest.
@@ -61,9 +71,15 @@ Surroundings constants_alone(Json constants) {
             nullptr, std::move(constants)};
 }
 
-std::vector<std::string> read_combinations(const Json& document, const std::string& id, const Where& where) {
-    const Json& picks = read_picks(document, where);
-    const std::vector<std::string> require = expressions_at(document, "require", where, keys_of(picks));
+/// What an exercise file says about its variants.
+struct VariantsRead {
+    Exercise exercise;
+    Json picks;
+    Names require;
+};
+
+/// Returns the combinations of values that pass all requirements, in shuffled order.
+Names combinations_of(const Json& picks, const Names& require, const std::string& id, const Where& where) {
     std::size_t count = 1;
     for (const auto& [name, values] : picks.items()) {
         count *= values.size();
@@ -99,48 +115,60 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
     return in_order;
 }
 
-/// Reads the stored variants, each with a value for every constant.
-std::vector<std::string> read_deployed(const Json& document, const Where& where) {
-    const std::vector<std::string> names = keys_of(read_picks(document, where));
-    expressions_at(document, "require", where, names);
-    const Where inside = where.key("deployed");
-    require_array(document["deployed"], inside, most_entries, "a list of variants");
-    std::vector<std::string> variants;
-    for (std::size_t i = 0; i < document["deployed"].size(); ++i) {
-        const Json& constants = document["deployed"][i];
-        require_keys(constants, inside.at(i), names);
-        for (const std::string& name : names)
-            if (!constants.contains(name)) inside.at(i).key(name).refuse("is missing: a value");
-        variants.push_back(constants.dump());
-    }
-    if (variants.empty()) inside.refuse("must have at least one variant");
-    return variants;
+/// The stored variants, each with a value for every constant.
+form::Form<Names> deployed_form(const LessonReading& reading) {
+    const auto read = [&](const Json& constants, const Where& where) {
+        require_keys(constants, where, *reading.constants);
+        for (const std::string& name : *reading.constants)
+            if (!constants.contains(name)) where.key(name).refuse("is missing: a value");
+        return constants.dump();
+    };
+    const form::Form<std::string> variant{"an object", {}, read, [](Json&) { return Json{{"type", "object"}}; }};
+    return form::list(variant, "a list of variants", {most_entries, 1, "must have at least one variant"});
+}
+
+/// The part of the file that its combinations depend on.
+Object<VariantsRead> combined_form(LessonReading& reading) {
+    const auto is_valid_id = [](const std::string& id, const Where& where) {
+        if (id.find_first_of("|,/") != std::string::npos) where.refuse("must not contain | , or /");
+    };
+    return Object<VariantsRead>()
+        .required(
+            "id", form::name().then(is_valid_id, {{"pattern", "^[^|,/]*$"}}),
+            [](VariantsRead & read) -> auto& { return read.exercise.id; })
+        .required("pick", picks_form(reading), &VariantsRead::picks)
+        .optional("require", expressions_form(reading), &VariantsRead::require);
+}
+
+Object<VariantsRead> exercise_form(LessonReading& reading) {
+    const Json any_step{{"$comment", "A step of a lesson, in which a value may be an expression: \"=x\"."},
+                        {"type", "object"}};
+    const auto pattern = [](Exercise& exercise, const Json* step, const Where& where) {
+        require_object(*step, where, "a lesson step");
+        exercise.pattern = step->dump();
+    };
+    return Object<VariantsRead>()
+        .version("exercise")
+        .with(combined_form(reading), std::identity())
+        .with(Object<Exercise>()
+                  .required("title", text_form(true), &Exercise::title)
+                  .optional("sets", names_form(), &Exercise::sets)
+                  .optional("slides", form::slides(), &Exercise::slides)
+                  .optional("tags", tags_form(), &Exercise::tags)
+                  .optional("points", form::whole(1, 100), &Exercise::points)
+                  .optional("visible", form::whole(1, 640 * 360), &Exercise::visible_px)
+                  .required("step", form::value("a lesson step", [any_step](Json&) { return any_step; }), pattern)
+                  .optional("deployed", deployed_form(reading), &Exercise::variants),
+              &VariantsRead::exercise);
 }
 
 Exercise read_exercise(const Json& document, const std::string& source, const Where& where) {
-    require_keys(document, where,
-                 {"exercise", "id", "title", "sets", "slides", "points", "visible", "tags", "pick", "require", "step",
-                  "deployed"});
-    if (!has(document, "exercise") || document["exercise"] != 1)
-        where.key("exercise").refuse("must be 1, the version of the format that this program reads");
-    Exercise exercise;
+    LessonReading reading;
+    VariantsRead read = exercise_form(reading).read(document, where);
+    Exercise& exercise = read.exercise;
     exercise.source = source;
-    exercise.id = name_at(document, "id", where);
-    if (exercise.id.find_first_of("|,/") != std::string::npos) where.key("id").refuse("must not contain | , or /");
-    exercise.title = text_at(document, "title", where, true);
-    exercise.sets = names_at(document, "sets", where);
-    exercise.slides = read_slides(document, where);
-    exercise.tags = read_tags(document, where);
-    if (has(document, "points")) exercise.points = read_whole(document["points"], where.key("points"), 1, 100);
-    if (has(document, "visible"))
-        exercise.visible_px = read_whole(document["visible"], where.key("visible"), 1, 640 * 360);
-    if (!has(document, "step")) where.key("step").refuse("is missing: a lesson step");
-    require_object(document["step"], where.key("step"), "a lesson step");
-    exercise.pattern = document["step"].dump();
-    if (has(document, "deployed")) {
-        exercise.variants = read_deployed(document, where);
-    } else {
-        exercise.variants = read_combinations(document, exercise.id, where);
+    if (!has(document, "deployed")) {
+        exercise.variants = combinations_of(read.picks, read.require, exercise.id, where);
         exercise.variants.resize(std::min(exercise.variants.size(), most_deployed));
     }
     return exercise;
@@ -160,6 +188,11 @@ bool Exercise::is_in(const std::string& set) const {
     return std::find(sets.begin(), sets.end(), set) != sets.end();
 }
 
+std::string exercise_schema() {
+    LessonReading none;
+    return form::document("An exercise of the Viewing Sandbox", exercise_form(none));
+}
+
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const fs::path& folder) {
     return guarded([&] {
         const Where root{source + ": ", ""};
@@ -172,8 +205,10 @@ Result<Exercise> parse_exercise(std::string_view json, const std::string& source
 Result<std::vector<std::string>> combinations(std::string_view json, const std::string& source) {
     return guarded([&] {
         const Where root{source + ": ", ""};
-        const Json document = parse_document(json, root.prefix);
-        return read_combinations(document, name_at(document, "id", root), root);
+        LessonReading reading;
+        VariantsRead read;
+        combined_form(reading).read_members(read, parse_document(json, root.prefix), root);
+        return combinations_of(read.picks, read.require, read.exercise.id, root);
     });
 }
 
@@ -214,7 +249,7 @@ LessonText exercise_title(const std::string& id) {
     const Result<std::string> text = read_text_file(assets_directory() / "exercises" / (id + ".json"));
     if (!text) return {};
     const Result<LessonText> title = guarded([&] {
-        return text_at(parse_document(*text, ""), "title", Where{"", ""}, false);
+        return text_form(false).read(parse_document(*text, "")["title"], Where{"", ""});
     });
     return title ? *title : LessonText{};
 }

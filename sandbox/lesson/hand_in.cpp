@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "lesson/tree.h"
 #include "platform/shared_file.h"
@@ -14,95 +15,76 @@ constexpr std::size_t longest_answer = 16384;  // bytes
 constexpr double largest_number = 1e300;
 constexpr std::size_t most_items = 200, most_numbers = 64, most_settings = 64;
 
-std::string text_in(const Json& object, const char* key, const Where& where) {
-    if (!has(object, key)) return "";
-    if (!object[key].is_string()) refuse_value(object[key], where.key(key), "a string");
-    std::string text = object[key].get<std::string>();
-    if (text.size() > longest_answer) where.key(key).refuse("longer than " + std::to_string(longest_answer) + " bytes");
-    return text;
+using form::Object;
+using Names = std::vector<std::string>;
+
+/// A text that nobody but people reads.
+form::Form<std::string> answer_text() {
+    return form::text("a string", longest_answer);
 }
 
-void append_numbers(const Json& value, std::vector<double>& numbers, const Where& where) {
-    if (value.is_number()) {
-        numbers.push_back(read_number(value, where, {-largest_number, largest_number}));
-        return;
-    }
-    require_array(value, where, most_numbers, "a number or a list of numbers");
-    for (std::size_t i = 0; i < value.size(); ++i) append_numbers(value[i], numbers, where.at(i));
-    if (numbers.size() > most_numbers) where.refuse("has more than " + std::to_string(most_numbers) + " numbers");
+form::Form<std::vector<double>> answer_form() {
+    return numbers_form("numbers", {-largest_number, largest_number}, most_numbers)
+        .then([](const std::vector<double>& numbers, const Where& where) {
+            if (numbers.size() > most_numbers)
+                where.refuse("has more than " + std::to_string(most_numbers) + " numbers");
+        });
 }
 
-std::vector<std::string> settings_in(const Json& object, const Where& where) {
-    if (object.size() > most_settings) where.refuse("has more than " + std::to_string(most_settings) + " paths");
-    return read_settings(object, where);
+form::Form<Names> changes_form() {
+    const auto are_few = [](const Names& settings, const Where& where) {
+        if (settings.size() > most_settings) where.refuse("has more than " + std::to_string(most_settings) + " paths");
+    };
+    return form::settings().then(are_few, {{"maxProperties", most_settings}});
 }
 
-Attempt read_attempt(const Json& object, const Where& where) {
-    require_keys(object, where, {"at", "answer", "set", "hint", "told"});
-    Attempt attempt;
-    attempt.at = text_in(object, "at", where);
-    attempt.told = text_in(object, "told", where);
-    if (has(object, "hint")) attempt.hint = read_whole(object["hint"], where.key("hint"), 1, 99);
-    if (has(object, "answer")) append_numbers(object["answer"], attempt.answer.emplace(), where.key("answer"));
-    if (has(object, "set")) {
+Object<Attempt> attempt_form() {
+    const auto answer_goal = [](Attempt& attempt, const Names& settings) {
         attempt.is_goal = true;
-        attempt.settings = settings_in(object["set"], where.key("set"));
-    }
-    if ((attempt.hint > 0) + attempt.answer.has_value() + attempt.is_goal != 1)
-        where.refuse("must have exactly one of \"answer\", \"set\" and \"hint\"");
-    return attempt;
+        attempt.settings = settings;
+    };
+    return Object<Attempt>()
+        .optional("at", answer_text(), &Attempt::at)
+        .optional("told", answer_text(), &Attempt::told)
+        .exactly_one({"answer", "set", "hint"})
+        .optional("hint", form::whole(1, 99), &Attempt::hint)
+        .optional("answer", answer_form(), &Attempt::answer)
+        .optional("set", changes_form(), answer_goal);
 }
 
-HandInItem read_item(const Json& object, const Where& where) {
-    require_keys(object, where, {"exercise", "variant", "attempts", "replay", "draft", "draft_set"});
-    HandInItem item;
-    item.exercise = name_at(object, "exercise", where);
-    if (has(object, "variant"))
-        item.variant = static_cast<std::size_t>(read_whole(object["variant"], where.key("variant"), 0, 9999));
-    if (has(object, "attempts")) {
-        const Where inside = where.key("attempts");
-        require_array(object["attempts"], inside, most_attempts, "a list of attempts");
-        for (std::size_t i = 0; i < object["attempts"].size(); ++i)
-            item.attempts.push_back(read_attempt(object["attempts"][i], inside.at(i)));
-    }
-    if (has(object, "draft")) append_numbers(object["draft"], item.draft.emplace(), where.key("draft"));
-    if (has(object, "draft_set")) item.draft_settings = settings_in(object["draft_set"], where.key("draft_set"));
-    if (has(object, "replay")) {
-        const Where inside = where.key("replay");
-        require_array(object["replay"], inside, most_replay_steps, "a list of changes");
-        for (std::size_t i = 0; i < object["replay"].size(); ++i) {
-            const Json& step = object["replay"][i];
-            const Where at = inside.at(i);
-            require_keys(step, at, {"after_s", "set"});
-            ReplayStep read;
-            if (has(step, "after_s")) read.after_s = read_number(step["after_s"], at.key("after_s"), {0.0, 1e9});
-            if (has(step, "set")) read.settings = settings_in(step["set"], at.key("set"));
-            item.replay.push_back(std::move(read));
-        }
-    }
-    return item;
+Object<ReplayStep> replay_form() {
+    return Object<ReplayStep>()
+        .optional("after_s", form::number({0.0, 1e9}), &ReplayStep::after_s)
+        .optional("set", changes_form(), &ReplayStep::settings);
 }
 
-HandIn read_hand_in(const Json& document, const Where& where) {
-    require_keys(document, where, {"answers", "program", "course", "student", "name", "items"});
-    if (!has(document, "answers") || document["answers"] != 1)
-        where.key("answers").refuse("must be 1, the version of the format that this program reads");
-    HandIn hand_in;
-    hand_in.program = text_in(document, "program", where);
-    hand_in.course = text_in(document, "course", where);
-    if (!has(document, "student")) where.key("student").refuse("is missing: a string");
-    hand_in.student = text_in(document, "student", where);
-    hand_in.name = text_in(document, "name", where);
-    if (!has(document, "items")) return hand_in;
-    const Where inside = where.key("items");
-    require_array(document["items"], inside, most_items, "a list of exercises");
-    for (std::size_t i = 0; i < document["items"].size(); ++i) {
-        HandInItem item = read_item(document["items"][i], inside.at(i));
-        if (hand_in.find(item.exercise))
-            inside.at(i).key("exercise").refuse("\"" + excerpt(item.exercise) + "\" appears twice");
-        hand_in.items.push_back(std::move(item));
-    }
-    return hand_in;
+Object<HandInItem> item_form() {
+    return Object<HandInItem>()
+        .required("exercise", form::name(), &HandInItem::exercise)
+        .optional("variant", form::whole(0, 9999), &HandInItem::variant)
+        .optional("attempts", form::list(attempt_form().form(), "a list of attempts", {most_attempts}),
+                  &HandInItem::attempts)
+        .optional("draft", answer_form(), &HandInItem::draft)
+        .optional("draft_set", changes_form(), &HandInItem::draft_settings)
+        .optional("replay", form::list(replay_form().form(), "a list of changes", {most_replay_steps}),
+                  &HandInItem::replay);
+}
+
+Object<HandIn> hand_in_form() {
+    const auto each_once = [](const std::vector<HandInItem>& items, const Where& where) {
+        std::set<std::string> known;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (!known.insert(items[i].exercise).second)
+                where.at(i).key("exercise").refuse("\"" + excerpt(items[i].exercise) + "\" appears twice");
+    };
+    return Object<HandIn>()
+        .version("answers")
+        .optional("program", answer_text(), &HandIn::program)
+        .optional("course", answer_text(), &HandIn::course)
+        .required("student", answer_text(), &HandIn::student)
+        .optional("name", answer_text(), &HandIn::name)
+        .optional("items", form::list(item_form().form(), "a list of exercises", {most_items}).then(each_once),
+                  &HandIn::items);
 }
 
 /// Writes sixteen numbers as a matrix, a single number as a number, and any other count as a list.
@@ -184,8 +166,12 @@ bool replaces(const Attempt& attempt, const Attempt& before) {
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source) {
     return guarded([&] {
         const Where root{source + ": ", ""};
-        return read_hand_in(parse_document(json, root.prefix), root);
+        return hand_in_form().read(parse_document(json, root.prefix), root);
     });
+}
+
+std::string hand_in_schema() {
+    return form::document("A hand-in of Viewing Sandbox", hand_in_form());
 }
 
 Result<HandIn> load_hand_in(const std::filesystem::path& file) {

@@ -53,6 +53,9 @@ inline constexpr std::size_t most_replay_steps = 200, most_attempts = 1000;
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source);
 Result<HandIn> load_hand_in(const std::filesystem::path& file);
 
+/// Returns the JSON Schema of hand-ins.
+std::string hand_in_schema();
+
 /// Whether an attempt replaces the previous one. Goals are checked continuously, so the same mistake twice in a row
 /// counts as one attempt, the later one.
 bool replaces(const Attempt& attempt, const Attempt& before);

@@ -12,130 +12,131 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_parts = 100;
-constexpr int most_minutes = 600;
+using form::Object;
 
-class LectureReader {
-public:
-    LectureReader(const fs::path& folder, Mistakes& mistakes) : folder_(folder), mistakes_(mistakes) {}
+/// Presets and lessons, each read once.
+struct Shelves {
+    fs::path folder;
+    PresetShelf presets = {};
+    std::map<std::string, Lesson> lessons = {};
 
-    Lesson read(const Json& document, const Where& where) {
-        const bool is_object = mistakes_.part([&] { require_object(document, where, "an object"); });
-        if (!is_object) return std::move(lecture_);
-        mistakes_.part([&] { require_keys(document, where, {"lecture", "id", "title", "parts"}); });
-        mistakes_.part([&] {
-            if (document["lecture"] != 1)
-                where.key("lecture").refuse("must be 1, the version of the format that this program reads");
-        });
-        mistakes_.part([&] { lecture_.id = name_at(document, "id", where); });
-        mistakes_.part([&] { lecture_.title = text_at(document, "title", where, true); });
-        lecture_.lecture.emplace();
-        mistakes_.part([&] { read_parts(document, where.key("parts")); });
-        return std::move(lecture_);
+    /// Returns one of the program's lessons by its id, or a file beside the lecture's.
+    const Lesson* lesson(const std::string& name, const Where& where) {
+        const auto known = lessons.find(name);
+        if (known != lessons.end()) return &known->second;
+        if (name.find('/') != std::string::npos)
+            where.refuse("must be a lesson's id or a file beside this one, got \"" + excerpt(name) + "\"");
+        Result<Lesson> lesson = load_lesson(name.ends_with(".json") ? (folder / name).string() : name);
+        if (!lesson) where.refuse(lesson.error());
+        if (lesson->lecture) where.refuse(excerpt(name) + " is a lecture; a part must be a lesson");
+        return &lessons.emplace(name, *std::move(lesson)).first->second;
     }
+};
 
-private:
-    void read_parts(const Json& document, const Where& where) {
-        if (!has(document, "parts")) where.refuse("is missing: a list of lessons and presets");
-        require_array(document["parts"], where, most_parts, "a list of 1 to 100 parts");
-        if (document["parts"].empty()) where.refuse("must have at least one part");
-        for (std::size_t i = 0; i < document["parts"].size(); ++i)
-            mistakes_.part([&] { read_part(document["parts"][i], where.at(i)); });
+/// A part as it is read.
+struct PartRead {
+    Lecture::Part part;
+    std::vector<LessonStep> steps;  ///< of the lesson, those that are chosen; empty: all
+    const Lesson* lesson = nullptr;
+    bool has_end = true;
+};
+
+const LessonStep& step_of(const Lesson& lesson, const Json& value, const Where& where) {
+    if (!value.is_string())
+        return lesson
+            .steps[static_cast<std::size_t>(read_whole(value, where, 1, static_cast<int>(lesson.steps.size())) - 1)];
+    const std::string& id = value.get_ref<const std::string&>();
+    std::vector<std::string> ids;
+    for (const LessonStep& step : lesson.steps) {
+        if (step.id == id) return step;
+        ids.push_back(step.id);
     }
+    where.refuse("the lesson " + lesson.id + " has no step " + excerpt(id) + suggestion(id, ids));
+}
 
-    void read_part(const Json& part, const Where& where) {
-        require_object(part, where, "an object");
-        if (has(part, "lesson") == has(part, "preset")) where.refuse("must have either \"lesson\" or \"preset\"");
-        Lecture::Part read;
-        read.first = lecture_.steps.size();
-        mistakes_.part([&] {
-            if (!has(part, "minutes")) where.key("minutes").refuse("is missing: a whole number from 1 to 600");
-            read.minutes = read_whole(part["minutes"], where.key("minutes"), 1, most_minutes);
-        });
-        has(part, "lesson") ? read_lesson_part(part, read, where) : read_preset_part(part, read, where);
-        mistakes_.part([&] {
-            if (has(part, "title")) read.title = text_at(part, "title", where, true);
-        });
-        read.count = lecture_.steps.size() - read.first;
-        lecture_.minutes += read.minutes;
-        lecture_.lecture->parts.push_back(std::move(read));
-    }
+Object<PartRead> minutes_of_part() {
+    return Object<PartRead>().required(
+        "minutes", form::whole(1, 600), [](PartRead & read) -> auto& { return read.part.minutes; });
+}
 
-    void read_lesson_part(const Json& part, Lecture::Part& read, const Where& where) {
-        mistakes_.part([&] { require_keys(part, where, {"lesson", "steps", "title", "end", "minutes"}); });
-        const Lesson* lesson = nullptr;
-        mistakes_.part([&] { lesson = &lesson_of(name_at(part, "lesson", where), where.key("lesson")); });
-        bool has_end = true;
-        mistakes_.part([&] {
-            if (has(part, "end")) has_end = read_bool(part["end"], where.key("end"));
-        });
-        if (!lesson) return;
-        read.lesson = lesson->id;
-        read.title = lesson->title;
-        if (has_end) read.end = lesson->end;
-        if (!has(part, "steps")) {
-            lecture_.steps.insert(lecture_.steps.end(), lesson->steps.begin(), lesson->steps.end());
-            return;
-        }
-        mistakes_.part([&] {
-            const Where steps = where.key("steps");
-            require_array(part["steps"], steps, most_entries, "a list of steps: their numbers, from 1, or their ids");
-            if (part["steps"].empty()) steps.refuse("must have at least one step");
-            for (std::size_t i = 0; i < part["steps"].size(); ++i)
-                mistakes_.part([&] { lecture_.steps.push_back(step_of(*lesson, part["steps"][i], steps.at(i))); });
-        });
-    }
+form::Form<PartRead> lesson_part(Shelves& shelves) {
+    const auto lesson = [&](const std::string& name, const Where& where) { return shelves.lesson(name, where); };
+    const auto as_json = [](const auto& value) { return Json(value); };
+    const auto chosen = form::either<Json>("a step's number, from 1, or its id",
+                                           {form::whole(1, most_steps).then(as_json), form::name().then(as_json)});
+    const auto finish = [](PartRead read) {
+        read.part.lesson = read.lesson->id;
+        if (read.part.title.empty()) read.part.title = read.lesson->title;
+        if (read.has_end) read.part.end = read.lesson->end;
+        if (read.steps.empty()) read.steps = read.lesson->steps;
+        return read;
+    };
+    const auto choose = [](PartRead& read, const std::vector<Json>& chosen, const Where& where) {
+        for (std::size_t i = 0; read.lesson && i < chosen.size(); ++i)
+            where.part([&] { read.steps.push_back(step_of(*read.lesson, chosen[i], where.at(i))); });
+    };
+    return minutes_of_part()
+        .required("lesson", form::name().then(lesson), &PartRead::lesson)
+        .optional(
+            "title", text_form(true), [](PartRead & read) -> auto& { return read.part.title; })
+        .optional("end", form::boolean(), &PartRead::has_end)
+        .optional("steps",
+                  form::list(chosen, "a list of steps: their numbers, from 1, or their ids",
+                             {most_entries, 1, "must have at least one step"}),
+                  choose)
+        .form({}, "lesson")
+        .then(finish);
+}
 
-    static const LessonStep& step_of(const Lesson& lesson, const Json& value, const Where& where) {
-        if (!value.is_string())
-            return lesson.steps[static_cast<std::size_t>(
-                read_whole(value, where, 1, static_cast<int>(lesson.steps.size())) - 1)];
-        const std::string id = read_name(value, where);
-        std::vector<std::string> ids;
-        for (const LessonStep& step : lesson.steps) {
-            if (step.id == id) return step;
-            ids.push_back(step.id);
-        }
-        where.refuse("the lesson " + lesson.id + " has no step " + excerpt(id) + suggestion(id, ids));
-    }
-
-    void read_preset_part(const Json& part, Lecture::Part& read, const Where& where) {
-        mistakes_.part([&] { require_keys(part, where, {"preset", "title", "say", "minutes"}); });
+form::Form<PartRead> preset_part(Shelves& shelves) {
+    const auto preset = [&](const std::string& name, const Where& where) {
         LessonStep step;
-        const bool is_known = mistakes_.part([&] {
-            step.id = name_at(part, "preset", where);
-            step.start = presets_.get(step.id, where.key("preset"));
-        });
-        mistakes_.part([&] { step.ask.question = text_at(part, "say", where, true); });
-        mistakes_.part([&] { step.say = read.title = text_at(part, "title", where, true); });
-        if (!is_known) return;
+        step.id = name;
+        step.start = shelves.presets.get(name, where);
         const ViewParams usual;
         step.names_lower_left = step.start.params.view.lower_left != usual.lower_left;
         step.names_lower_right = step.start.params.view.lower_right != usual.lower_right;
         step.slides = step.start.titles.slides;
         step.start.preset = nullptr;  // its caption is part.say
         step.revealed = step.start.params;
-        lecture_.steps.push_back(std::move(step));
-    }
+        return std::vector{step};
+    };
+    const auto start = [] {
+        PartRead read;
+        read.steps.resize(1);
+        return read;
+    };
+    return minutes_of_part()
+        .required("preset", form::name().then(preset), &PartRead::steps)
+        .required(
+            "say", text_form(true), [](PartRead & read) -> auto& { return read.steps.front().ask.question; })
+        .required("title", text_form(true),
+                  [](PartRead& read, const LessonText& title) { read.steps.front().say = read.part.title = title; })
+        .form(start, "preset");
+}
 
-    /// Reads a lesson once: one of the program's by its id, or a file beside the lecture's.
-    const Lesson& lesson_of(const std::string& name, const Where& where) {
-        const auto known = lessons_.find(name);
-        if (known != lessons_.end()) return known->second;
-        if (name.find('/') != std::string::npos)
-            where.refuse("must be a lesson's id or a file beside this one, got \"" + excerpt(name) + "\"");
-        Result<Lesson> lesson = load_lesson(name.ends_with(".json") ? (folder_ / name).string() : name);
-        if (!lesson) where.refuse(lesson.error());
-        if (lesson->lecture) where.refuse(excerpt(name) + " is a lecture; a part must be a lesson");
-        return lessons_.emplace(name, *std::move(lesson)).first->second;
-    }
-
-    const fs::path& folder_;
-    Mistakes& mistakes_;
-    Lesson lecture_;
-    PresetShelf presets_;
-    std::map<std::string, Lesson> lessons_;
-};
+Object<Lesson> lecture_form(Shelves& shelves) {
+    const auto part = form::either<PartRead>("an object with either \"lesson\" or \"preset\"",
+                                             {lesson_part(shelves), preset_part(shelves)});
+    const auto add = [](Lesson& lecture, const std::vector<PartRead>& parts) {
+        lecture.lecture.emplace();
+        for (const PartRead& read : parts) {
+            Lecture::Part& added = lecture.lecture->parts.emplace_back(read.part);
+            added.first = lecture.steps.size();
+            added.count = read.steps.size();
+            lecture.steps.insert(lecture.steps.end(), read.steps.begin(), read.steps.end());
+            lecture.minutes += added.minutes;
+        }
+    };
+    return Object<Lesson>()
+        .version("lecture")
+        .required("id", form::name(), &Lesson::id)
+        .required("title", text_form(true), &Lesson::title)
+        .required(
+            "parts",
+            form::list(part, "a list of 1 to 100 parts: lessons and presets", {100, 1, "must have at least one part"}),
+            add);
+}
 
 }  // namespace
 
@@ -143,8 +144,14 @@ bool is_lecture(const Json& document) {
     return document.is_object() && document.contains("lecture");
 }
 
-Lesson read_lecture(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
-    return LectureReader(folder, mistakes).read(document, where);
+Lesson read_lecture(const Json& document, const fs::path& folder, const Where& where) {
+    Shelves shelves{folder};
+    return lecture_form(shelves).read(document, where);
+}
+
+std::string lecture_schema() {
+    Shelves none;
+    return form::document("A lecture of the Viewing Sandbox", lecture_form(none));
 }
 
 std::size_t Lecture::part_of(std::size_t step) const {

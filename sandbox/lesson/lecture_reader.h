@@ -11,8 +11,7 @@ namespace viewing {
 /// Whether the document is a lecture; otherwise it must be a lesson.
 bool is_lecture(const Json& document);
 
-/// Reads as much as can be read, and adds a sentence for each mistake. If there are no mistakes, the lecture is
-/// complete.
-Lesson read_lecture(const Json& document, const std::filesystem::path& folder, const Where& where, Mistakes& mistakes);
+/// Reads as much as can be read. If no mistakes are collected, the lecture is complete.
+Lesson read_lecture(const Json& document, const std::filesystem::path& folder, const Where& where);
 
 }  // namespace viewing

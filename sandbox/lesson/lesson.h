@@ -204,6 +204,10 @@ Result<Lesson> load_lesson(const std::string& argument);
 /// Returns a sentence for each mistake in a lecture's file; the error says why it cannot be read at all.
 Result<std::vector<std::string>> lecture_mistakes(const std::string& argument);
 
+/// Return the JSON Schemas of their files.
+std::string lesson_schema();
+std::string lecture_schema();
+
 /// Reads a lesson or a lecture from a string. `source` ("mine.json") starts every message; file names in its scenes are
 /// relative to `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);

@@ -19,24 +19,6 @@ std::string value_in_words(const Json& value) {
 
 }  // namespace
 
-std::vector<GoalNumber> read_progress(const Json& ask, const std::vector<std::string>& constants, const Where& where) {
-    constexpr std::size_t most_numbers = 3;
-    std::vector<GoalNumber> numbers;
-    if (!has(ask, "progress")) return numbers;
-    const Json& list = ask["progress"];
-    const Where inside = where.key("progress");
-    require_array(list, inside, most_numbers, "a list of numbers to show");
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const Where at = inside.at(i);
-        require_keys(list[i], at, {"name", "value", "needed"});
-        if (!has(list[i], "value")) at.key("value").refuse("is missing: an expression");
-        numbers.push_back({text_at(list[i], "name", at, true),
-                           expression_in(list[i]["value"], at.key("value"), constants),
-                           text_at(list[i], "needed", at, true)});
-    }
-    return numbers;
-}
-
 bool has_measured_progress(const Ask& ask) {
     return std::any_of(ask.progress.begin(), ask.progress.end(),
                        [](const GoalNumber& number) { return is_measured(number.value); });

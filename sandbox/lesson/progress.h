@@ -10,9 +10,6 @@
 
 namespace viewing {
 
-/// Reads a goal's list of numbers; it may be missing. Throws a Refusal.
-std::vector<GoalNumber> read_progress(const Json& ask, const std::vector<std::string>& constants, const Where& where);
-
 /// Whether one of a goal's numbers is measured, which may take a second.
 bool has_measured_progress(const Ask& ask);
 

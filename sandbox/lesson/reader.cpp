@@ -1,6 +1,7 @@
 // Reads lesson and lecture files with the same checks as state files. Every message names the file, the step and the
 // field.
 #include <algorithm>
+#include <set>
 
 #include "lesson/lecture_reader.h"
 #include "lesson/step_reader.h"
@@ -13,91 +14,63 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_steps = 200;
+using form::Object;
 
-/// Reads the topic under which lists show the lesson; "" if there is none.
-std::string group_at(const Json& document, const Where& where) {
-    if (!has(document, "group")) return "";
-    if (!document["group"].is_string()) where.key("group").refuse("must be a topic, such as \"Camera\"");
-    return document["group"].get<std::string>();
+/// The topic under which lists show the lesson.
+form::Form<std::string> group_form() {
+    return form::text("a topic, such as \"Camera\"");
 }
 
-/// Reads what the lesson's last card says: three sentences, and the matching exercise.
-LessonEnd read_end(const Json& document, const Where& where) {
-    LessonEnd end;
-    if (!has(document, "end")) return end;
-    const Json& object = document["end"];
-    const Where inside = where.key("end");
-    require_keys(object, inside, {"says", "exercise"});
-    const Where says = inside.key("says");
-    constexpr std::size_t sentences = 3;
-    if (!has(object, "says")) says.refuse("is missing: three sentences");
-    require_array(object["says"], says, sentences, "a list of three sentences");
-    if (object["says"].size() != sentences) says.refuse("must have three sentences");
-    for (std::size_t i = 0; i < sentences; ++i) {
-        end.says.push_back(read_text_of(object["says"][i], says.at(i)));
-        if (end.says.back().empty()) says.at(i).refuse("must not be empty");
-    }
-    if (!has(object, "exercise")) return end;
-    end.exercise = read_name(object["exercise"], inside.key("exercise"));
-    std::vector<std::string> known;
-    for (const fs::path& path : files_in(assets_directory() / "exercises", ".json"))
-        known.push_back(path.stem().string());
-    if (std::find(known.begin(), known.end(), end.exercise) == known.end())
-        inside.key("exercise")
-            .refuse("there is no exercise " + excerpt(end.exercise) + suggestion(end.exercise, known));
-    return end;
+/// What the lesson's last card says: three sentences, and the matching exercise.
+form::Form<LessonEnd> end_form() {
+    const auto is_there = [](const std::string& exercise, const Where& where) {
+        std::vector<std::string> known;
+        for (const fs::path& path : files_in(assets_directory() / "exercises", ".json"))
+            known.push_back(path.stem().string());
+        if (std::find(known.begin(), known.end(), exercise) == known.end())
+            where.refuse("there is no exercise " + excerpt(exercise) + suggestion(exercise, known));
+    };
+    return Object<LessonEnd>()
+        .required("says", form::list(text_form(true), "a list of three sentences", {3, 3, "must have three sentences"}),
+                  &LessonEnd::says)
+        .optional("exercise", form::name().then(is_there), &LessonEnd::exercise)
+        .form();
 }
 
-Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
-    Lesson lesson;
-    mistakes.part([&] {
-        require_keys(
-            document, where,
-            {"lesson", "id", "title", "group", "slides", "minutes", "picture", "needs", "tags", "steps", "end"});
-    });
-    if (!document.is_object()) return lesson;
-    mistakes.part([&] {
-        if (!has(document, "lesson") || document["lesson"] != 1)
-            where.key("lesson").refuse("must be 1, the version of the format that this program reads");
-    });
-    mistakes.part([&] { lesson.id = name_at(document, "id", where); });
-    mistakes.part([&] { lesson.title = text_at(document, "title", where, true); });
-    mistakes.part([&] { (void)group_at(document, where); });
-    mistakes.part([&] { lesson.slides = read_slides(document, where); });
-    mistakes.part([&] {
-        if (has(document, "minutes")) lesson.minutes = read_whole(document["minutes"], where.key("minutes"), 1, 600);
-    });
-    mistakes.part([&] { lesson.needs = names_at(document, "needs", where); });
-    mistakes.part([&] { lesson.tags = read_tags(document, where); });
-    mistakes.part([&] { lesson.end = read_end(document, where); });
-    const Where steps = where.key("steps");
-    const bool are_steps = mistakes.part([&] {
-        if (!has(document, "steps")) steps.refuse("is missing: a list of steps");
-        require_array(document["steps"], steps, most_steps, "a list of 1 to 200 steps");
-        if (document["steps"].empty()) steps.refuse("must have at least one step");
-    });
-    PresetShelf presets;
-    mistakes.part([&] {
-        if (has(document, "picture")) lesson.picture = state_at(document, "picture", folder, presets, where);
-    });
-    if (!are_steps) return lesson;
-    for (std::size_t i = 0; i < document["steps"].size(); ++i) {
-        lesson.steps.push_back(read_step(document["steps"][i], folder, presets, steps.at(i), mistakes));
-        if (lesson.steps.back().slides.empty()) lesson.steps.back().slides = lesson.slides;
-        const std::string& id = lesson.steps.back().id;
-        const auto count = std::count_if(lesson.steps.begin(), lesson.steps.end(),
-                                         [&](const LessonStep& step) { return !id.empty() && step.id == id; });
-        mistakes.part([&] {
-            if (count > 1) steps.at(i).key("id").refuse("another step has the id " + excerpt(id));
-        });
-    }
-    return lesson;
+Object<Lesson> lesson_form(LessonReading& reading) {
+    const auto add = [](Lesson& lesson, const std::vector<LessonStep>& steps, const Where& where) {
+        std::set<std::string> ids;
+        for (LessonStep& step : lesson.steps = steps) {
+            if (step.slides.empty()) step.slides = lesson.slides;
+            if (!step.id.empty() && !ids.insert(step.id).second)
+                where.part([&] {
+                    where.at(static_cast<std::size_t>(&step - lesson.steps.data()))
+                        .key("id")
+                        .refuse("another step has the id " + excerpt(step.id));
+                });
+        }
+    };
+    return Object<Lesson>()
+        .version("lesson")
+        .required("id", form::name(), &Lesson::id)
+        .required("title", text_form(true), &Lesson::title)
+        .checked("group", group_form())
+        .optional("slides", form::slides(), &Lesson::slides)
+        .optional("minutes", form::whole(1, 600), &Lesson::minutes)
+        .optional("needs", names_form(), &Lesson::needs)
+        .optional("tags", tags_form(), &Lesson::tags)
+        .optional("end", end_form(), &Lesson::end)
+        .optional("picture", state_form(reading), &Lesson::picture)
+        .required(
+            "steps",
+            form::list(step_form(reading), "a list of 1 to 200 steps", {most_steps, 1, "must have at least one step"}),
+            add);
 }
 
-Lesson read_lesson_or_lecture(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
-    return is_lecture(document) ? read_lecture(document, folder, where, mistakes)
-                                : read_lesson(document, folder, where, mistakes);
+Lesson read_lesson_or_lecture(const Json& document, const fs::path& folder, const Where& where) {
+    if (is_lecture(document)) return read_lecture(document, folder, where);
+    LessonReading reading{folder};
+    return lesson_form(reading).read(document, where);
 }
 
 /// Reads the data that a list shows, even if the rest of the file is invalid.
@@ -108,23 +81,26 @@ LessonFile glance_at(const fs::path& path) {
     const auto glance = guarded([&] {
         const Json document = parse_document(*text, "");
         const Where root{"", ""};
-        if (document.contains("id")) file.id = read_name(document["id"], root);
-        if (document.contains("title")) file.title = read_text_of(document["title"], root);
-        file.group = group_at(document, root);
-        file.slides = read_slides(document, root);
-        file.needs = names_at(document, "needs", root);
-        if (document.contains("minutes")) file.minutes = read_whole(document["minutes"], root, 1, 600);
-        if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
+        Object<LessonFile>()
+            .optional("id", form::name(), &LessonFile::id)
+            .optional("title", text_form(false), &LessonFile::title)
+            .optional("group", group_form(), &LessonFile::group)
+            .optional("slides", form::slides(), &LessonFile::slides)
+            .optional("needs", names_form(), &LessonFile::needs)
+            .optional("minutes", form::whole(1, 600), &LessonFile::minutes)
+            .read_members(file, document, root);
         if (has(document, "parts"))
             for (const Json& part : document["parts"])
                 if (has(part, "minutes")) file.minutes += read_whole(part["minutes"], root, 1, 600);
         if (!has(document, "steps") || !document["steps"].is_array()) return true;
-        file.listed_steps.assign(static_cast<std::size_t>(file.steps), {{}, file.slides});
+        file.steps = static_cast<int>(document["steps"].size());
+        file.listed_steps.assign(document["steps"].size(), {{}, file.slides});
         for (std::size_t i = 0; i < file.listed_steps.size(); ++i) {
             const Json& step = document["steps"][i];
-            if (has(step, "slides")) file.listed_steps[i].slides = read_slides(step, root);
+            LessonFile::Step& listed = file.listed_steps[i];
+            if (has(step, "slides")) listed.slides = read_slides(step, root);
             if (has(step, "ask") && has(step["ask"], "question"))
-                file.listed_steps[i].question = read_text_of(step["ask"]["question"], root);
+                listed.question = text_form(false).read(step["ask"]["question"], root);
         }
         return true;
     });
@@ -134,21 +110,23 @@ LessonFile glance_at(const fs::path& path) {
 
 }  // namespace
 
+std::string lesson_schema() {
+    LessonReading none;
+    return form::document("A lesson of the Viewing Sandbox", lesson_form(none));
+}
+
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const fs::path& folder) {
     return guarded([&] {
         const Where root{source + ": ", ""};
-        Mistakes mistakes;
-        Lesson lesson = read_lesson_or_lecture(parse_document(json, root.prefix), folder, root, mistakes);
-        mistakes.refuse();
-        return lesson;
+        return read_lesson_or_lecture(parse_document(json, root.prefix), folder, root);
     });
 }
 
 std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source, const fs::path& folder) {
-    const Where root{source + ": ", ""};
-    Mistakes mistakes;
-    mistakes.part([&] { read_lesson_or_lecture(parse_document(json, root.prefix), folder, root, mistakes); });
-    return mistakes.all();
+    std::vector<std::string> mistakes;
+    const Where root{source + ": ", "", &mistakes};
+    root.part([&] { read_lesson_or_lecture(parse_document(json, root.prefix), folder, root); });
+    return mistakes;
 }
 
 namespace {

@@ -1,9 +1,9 @@
-// Internal to lesson/: reads a step of a lesson from its JSON tree. On an error, every function here throws a Refusal
-// with the whole message.
+// Internal to lesson/: the form of a step, and what its parts need to know.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "lesson/tree.h"
@@ -19,23 +19,25 @@ private:
     std::map<std::string, LoadedState> states_;
 };
 
-/// Reads a preset and applies settings to it; if both are missing, returns the opening state. File names in a scene
-/// that the settings change are relative to `folder`.
-LoadedState state_at(const Json& object, const char* key, const std::filesystem::path& folder, PresetShelf& presets,
-                     const Where& where);
+/// What is known while a lesson is read.
+struct LessonReading {
+    std::filesystem::path folder;  ///< file names in scenes are relative to it
+    PresetShelf presets = {};
+    /// The step's own names for its expressions; none while they are not known, so that no expression is checked.
+    std::optional<std::vector<std::string>> constants = std::vector<std::string>();
+};
 
-/// Reads the state at the beginning of a step, with its layout.
-LoadedState read_start(const Json& object, const std::filesystem::path& folder, PresetShelf& presets,
-                       const Where& where);
+/// {"preset", "set"}: a preset with changes, by default the opening state.
+form::Form<LoadedState> state_form(LessonReading& reading);
 
-/// Collects mistakes instead of throwing them; the step is then incomplete.
-LessonStep read_step(const Json& object, const std::filesystem::path& folder, PresetShelf& presets, const Where& where,
-                     Mistakes& mistakes);
+/// Reads the state at the beginning of a step; it is the opening state if there is none.
+LoadedState read_start(const Json* state, LessonReading& reading, const Where& where);
 
-/// Read one expression, or a list of them, and check that they use only known names and `constants`.
-std::string expression_in(const Json& value, const Where& where, const std::vector<std::string>& constants);
-std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
-                                        const std::vector<std::string>& constants);
+form::Form<LessonStep> step_form(LessonReading& reading);
+
+/// An expression, a number or a list of numbers, or a list of these. They use only known names and the constants.
+form::Form<std::string> expression_form(const LessonReading& reading);
+form::Form<std::vector<std::string>> expressions_form(const LessonReading& reading);
 
 /// Refuses a name that a constant cannot have.
 void require_constant_name(const std::string& name, const Where& where);

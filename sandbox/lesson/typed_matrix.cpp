@@ -63,19 +63,11 @@ Result<LoadedState> with_camera(const LessonStep& step, const glm::dmat4& matrix
 
 }  // namespace
 
-void read_shown_matrix(const Json& object, Ask& ask, const std::vector<std::string>& constants, const Where& where) {
-    if (has(object, "factors")) {
-        if (ask.kind != AskKind::product && ask.kind != AskKind::sequence)
-            where.key("factors").refuse("belongs to questions of the kinds product and sequence");
-        ask.factors = expressions_at(object, "factors", where, constants);
-        if (ask.factors.size() != ask.items.size())
-            where.key("factors").refuse("must have one expression for each item");
-    }
-    if (!has(object, "shows_as")) return;
-    ask.shows_as = read_name(object["shows_as"], where.key("shows_as"));
-    if (!is_of_camera(ask) && !find_field(ask.shows_as)) refuse_unknown({where.prefix, ask.shows_as});
-    if (ask.kind != AskKind::matrix && ask.factors.empty())
-        where.key("shows_as").refuse("belongs to a matrix, or to tiles with factors");
+void check_shown_matrix(const Ask& ask, const Where& where) {
+    if (!ask.factors.empty() && ask.factors.size() != ask.items.size())
+        where.key("factors").refuse("must have one expression for each item");
+    if (!ask.shows_as.empty() && !is_of_camera(ask) && !find_field(ask.shows_as))
+        refuse_unknown({where.prefix, ask.shows_as});
 }
 
 glm::dmat4 matrix_of_rows(const std::vector<double>& numbers) {

@@ -12,8 +12,8 @@
 
 namespace viewing {
 
-/// Reads the factors on the tiles and the field that shows the matrix; both may be missing. Throws a Refusal.
-void read_shown_matrix(const Json& object, Ask& ask, const std::vector<std::string>& constants, const Where& where);
+/// Refuses a number of factors other than that of the tiles, and an unknown field that shows the matrix.
+void check_shown_matrix(const Ask& ask, const Where& where);
 
 /// Returns the matrix with these 16 numbers, given row by row.
 glm::dmat4 matrix_of_rows(const std::vector<double>& numbers);

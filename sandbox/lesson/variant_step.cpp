@@ -103,13 +103,11 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
         return Error{name + " is not known here: it depends on the state"};
     };
     Json step = Json::parse(exercise.pattern);
-    PresetShelf presets;
-    const std::filesystem::path folder = exercise.file.parent_path();
+    LessonReading reading{exercise.file.parent_path()};
     if (has(step, "state"))
         step["state"] = Filling({only_constants, nullptr, constants}).filled(step["state"], root.key("state"));
-    Json beginning = Json::object();
-    if (has(step, "state")) beginning["state"] = step["state"];
-    Result<Surroundings> numbers = numbers_at(read_start(beginning, folder, presets, root));
+    const Json* const state = has(step, "state") ? &step["state"] : nullptr;
+    Result<Surroundings> numbers = numbers_at(read_start(state, reading, state ? root.key("state") : root));
     if (!numbers) throw Refusal(root.prefix + numbers.error());
     numbers->constants = constants;
     Filling filling(*numbers);
@@ -130,9 +128,7 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
     };
     if (!has(step, "say")) step["say"] = title();
     if (!has(step, "reveal")) step["reveal"] = {{"say", {{"en", "That is right."}, {"ko", "맞습니다."}}}};
-    Mistakes mistakes;
-    LessonStep read = read_step(step, folder, presets, root, mistakes);
-    mistakes.refuse();
+    LessonStep read = step_form(reading).read(step, root);
     if (read.ask.kind == AskKind::goal && read.ask.allow.empty())
         root.key("step").key("ask").key("allow").refuse("is missing: the fields that the goal may change");
     return read;

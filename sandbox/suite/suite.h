@@ -64,6 +64,9 @@ struct Suite {
 /// names the file and the field. State files are read later, so that a damaged one fails only its own entry.
 Result<Suite> load_suite(const std::string& argument);
 
+/// Returns the JSON Schema of suite files.
+std::string suite_schema();
+
 /// Checks that all masks can be read and leave something to compare in their entry's picture. The error names the
 /// entry.
 Status check_masks(const Suite& suite);

@@ -7,8 +7,9 @@
 #include "image/image_size.h"
 #include "lesson/tree.h"
 #include "platform/file.h"
+#include "state/file/form.h"
 #include "state/file/json.h"
-#include "suite/form.h"
+#include "state/file/schema.h"
 #include "suite/results.h"
 #include "suite/suite.h"
 #include "text/words.h"
@@ -18,237 +19,247 @@ namespace {
 
 namespace fs = std::filesystem;
 
-namespace form = suite_form;
-using form::each_names, form::measure_names;
+using form::Object;
+using Names = std::vector<std::string>;
+using Measures = std::vector<SuiteMeasure>;
 
-/// The keys of an entry's settings, which are also allowed in "defaults".
-const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "profile", "worst",
-                                            "share", "reach", "masks", "matrices", "measure", "problems"};
+constexpr std::size_t most_suite_entries = 100'000, most_masks = 1'000;
+constexpr int largest_worst = 255;
+constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
+enum class Each { preset, fixed_preset, scene };
+constexpr std::array each_names{"preset", "mended", "scene"};
 
-std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
-    keys.insert(keys.end(), setting_keys.begin(), setting_keys.end());
-    return keys;
+template <typename T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
 }
 
 // ---- settings ------------------------------------------------------------------------------------------------------
 
-/// Reads {"projection.near": 0.1, …} or ["projection.near=0.1", …].
-std::vector<std::string> read_set(const Json& value, const Where& where) {
-    if (value.is_object()) return read_settings(value, where);
-    require_array(value, where, form::most_settings, "an object of fields and their values, or a list of PATH=VALUE");
-    std::vector<std::string> settings;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        settings.push_back(read_name(value[i], where.at(i)));
-        if (settings.back().find('=') == std::string::npos) where.at(i).refuse("must be PATH=VALUE");
-    }
-    return settings;
-}
-
-glm::ivec2 read_size(const Json& value, const Where& where) {
-    require_array(value, where, 2, "[width, height]");
-    if (value.size() != 2) where.refuse("must be [width, height]");
-    return {read_whole(value[0], where.at(0), 1, largest_image_side),
-            read_whole(value[1], where.at(1), 1, largest_image_side)};
-}
-
-/// Reads a rectangle [x, y, width, height], or the file name of a picture, relative to the suite's folder.
-void read_mask(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
-    if (value.is_string()) {
-        entry.mask.pictures.push_back(folder / read_name(value, where));
-        return;
-    }
-    if (!value.is_array() || value.size() != 4)
-        refuse_value(value, where, "a picture's file, or [x, y, width, height]");
-    std::array<int, 4> sides{};
-    for (std::size_t i = 0; i < 4; ++i) sides[i] = read_whole(value[i], where.at(i), i < 2 ? 0 : 1, largest_image_side);
-    entry.mask.rects.push_back({sides[0], sides[1], sides[2], sides[3]});
-}
-
-double read_tolerance(const Json& object, const Where& where) {
-    return object.contains("tolerance")
-               ? read_number(object["tolerance"], where.key("tolerance"), {0.0, form::most_tolerance})
-               : 0.0;
-}
-
-SuiteMeasure read_measure(const Json& value, const Where& where) {
-    if (value.is_string()) return {measure_names[static_cast<std::size_t>(read_choice(value, where, measure_names))]};
-    require_keys(value, where, {"what", "tolerance"});
-    if (!has(value, "what")) where.key("what").refuse("is missing: fighting, visibility, mirror or order");
-    const int what = read_choice(value["what"], where.key("what"), measure_names);
-    return {measure_names[static_cast<std::size_t>(what)], read_tolerance(value, where)};
-}
-
-std::vector<SuiteMeasure> read_measures(const Json& value, const Where& where) {
-    if (!value.is_array()) return {read_measure(value, where)};
-    require_array(value, where, measure_names.size(), "a list of measurements, each once");
-    std::vector<SuiteMeasure> measures;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const SuiteMeasure measure = read_measure(value[i], where.at(i));
-        if (std::any_of(measures.begin(), measures.end(),
-                        [&](const SuiteMeasure& earlier) { return earlier.what == measure.what; }))
-            where.at(i).refuse("measures " + measure.what + " twice");
-        measures.push_back(measure);
-    }
-    return measures;
-}
-
-std::optional<double> read_matrices(const Json& value, const Where& where) {
-    if (value.is_boolean()) return value.get<bool>() ? std::optional(0.0) : std::nullopt;
-    require_keys(value, where, {"tolerance"});
-    return read_tolerance(value, where);
-}
-
-void read_problems(const Json& value, const Where& where, SuiteEntry& entry) {
-    require_keys(value, where, {"must", "must_not", "none"});
-    entry.wanted_problems = names_at(value, "must", where);
-    entry.unwanted_problems = names_at(value, "must_not", where);
-    entry.allows_no_problem = has(value, "none") && read_bool(value["none"], where.key("none"));
-    if (entry.allows_no_problem && !entry.wanted_problems.empty())
-        where.key("none").refuse("cannot be true together with \"must\"");
-}
-
-/// Reads the keys of `setting_keys`, overriding the settings of the entry.
-void read_settings_of(const Json& object, const Where& where, const fs::path& folder, SuiteEntry& entry) {
-    const auto with = [&](const char* key, const auto& read) {
-        if (has(object, key)) read(object[key], where.key(key));
+/// {"projection.near": 0.1, …} or ["projection.near=0.1", …].
+form::Form<Names> set_form() {
+    const auto has_value = [](const std::string& setting, const Where& where) {
+        if (setting.find('=') == std::string::npos) where.refuse("must be PATH=VALUE");
     };
-    with("set", [&](const Json& value, const Where& at) {
-        for (std::string& setting : read_set(value, at)) entry.settings.push_back(std::move(setting));
+    const auto setting = form::name().then(has_value, {{"pattern", "="}});
+    return form::either<Names>("an object of fields and their values, or a list of PATH=VALUE",
+                               {form::settings(), form::list(setting, "a list of PATH=VALUE", {max_object_keys})});
+}
+
+form::Form<std::optional<int>> samples_form() {
+    const char* const what = "0, 4 or \"state\" (the value of the state)";
+    const auto read = [=](const Json& value, const Where& where) -> std::optional<int> {
+        if (value == "state") return std::nullopt;
+        if (value != 0 && value != 4) refuse_value(value, where, what);
+        return value.get<int>();
+    };
+    return {what, {}, read, [](Json&) { return Json{{"enum", {0, 4, "state"}}}; }};
+}
+
+/// A rectangle [x, y, width, height], or the file name of a picture, relative to the suite's folder.
+form::Form<MaskSource> mask_form(const fs::path& folder) {
+    const auto place = form::whole(0, largest_image_side), side = form::whole(1, largest_image_side);
+    const auto picture = [folder](const std::string& name) { return MaskSource{{}, {folder / name}}; };
+    const auto rectangle = [](const std::vector<int>& at) { return MaskSource{{{at[0], at[1], at[2], at[3]}}, {}}; };
+    return form::either<MaskSource>(
+        "a picture's file, or [x, y, width, height]",
+        {form::name().then(picture),
+         form::list<int>({place, place, side, side}, "[x, y, width, height]", {4, 4, "must be [x, y, width, height]"})
+             .then(rectangle)});
+}
+
+Object<SuiteMeasure> tolerance() {
+    constexpr double most_tolerance = 1e9;
+    return Object<SuiteMeasure>().optional("tolerance", form::number({0.0, most_tolerance}), &SuiteMeasure::tolerance);
+}
+
+form::Form<SuiteMeasure> measure_form() {
+    const auto name = [](int index) { return std::string(measure_names[static_cast<std::size_t>(index)]); };
+    const auto what = form::choice(measure_names).then(name);
+    return form::either<SuiteMeasure>(what.what + ", or an object with \"what\"",
+                                      {what.then([](const std::string& named) { return SuiteMeasure{named}; }),
+                                       tolerance().required("what", what, &SuiteMeasure::what).form()});
+}
+
+form::Form<Measures> measures_form() {
+    const auto each_once = [](const Measures& all, const Where& where) {
+        for (auto one = all.begin(); one != all.end(); ++one)
+            if (std::any_of(all.begin(), one, [&](const SuiteMeasure& earlier) { return earlier.what == one->what; }))
+                where.at(static_cast<std::size_t>(one - all.begin())).refuse("measures " + one->what + " twice");
+    };
+    return form::either<Measures>(
+        "a measurement, or a list of measurements",
+        {form::list(measure_form(), "a list of measurements, each once", {measure_names.size()}).then(each_once),
+         measure_form().then([](const SuiteMeasure& one) { return Measures{one}; })});
+}
+
+form::Form<std::optional<double>> matrices_form() {
+    return form::either<std::optional<double>>(
+        "true, false or an object with \"tolerance\"",
+        {form::boolean().then([](bool are_checked) { return are_checked ? std::optional(0.0) : std::nullopt; }),
+         tolerance().form().then([](const SuiteMeasure& matrices) { return std::optional(matrices.tolerance); })});
+}
+
+form::Form<SuiteEntry> problems_form() {
+    const auto can_be = [](const SuiteEntry& entry, const Where& where) {
+        if (entry.allows_no_problem && !entry.wanted_problems.empty())
+            where.key("none").refuse("cannot be true together with \"must\"");
+    };
+    return Object<SuiteEntry>()
+        .optional("must", names_form(), &SuiteEntry::wanted_problems)
+        .optional("must_not", names_form(), &SuiteEntry::unwanted_problems)
+        .optional("none", form::boolean(), &SuiteEntry::allows_no_problem)
+        .form()
+        .then(can_be, {{"not", Json::parse(R"({"properties": {"none": {"const": true}, "must": {"minItems": 1}},
+                                               "required": ["none", "must"]})")}});
+}
+
+Object<CompareOptions> thresholds() {
+    return Object<CompareOptions>()
+        .optional("profile", form::choice<CompareProfile>(profile_names),
+                  [](CompareOptions& limits, CompareProfile profile) { limits = options_of(profile); })
+        .optional("worst", form::whole(0, largest_worst), &CompareOptions::worst)
+        .optional("share", form::number({0.0, 1.0}), &CompareOptions::share)
+        .optional("reach", form::whole(0, 16), &CompareOptions::reach_px);
+}
+
+/// The settings of an entry, which are also allowed in "defaults".
+Object<SuiteEntry> settings(const fs::path& folder) {
+    const auto side = form::whole(1, largest_image_side);
+    const auto size =
+        form::list(side, "[width, height]", {2, 2, "must be [width, height]"}).then([](const std::vector<int>& sides) {
+            return glm::ivec2(sides[0], sides[1]);
+        });
+    const char* const masks = "a list of rectangles [x, y, width, height] and picture files";
+    return Object<SuiteEntry>()
+        .optional("set", set_form(), [](SuiteEntry& entry, const Names& set) { append(entry.settings, set); })
+        .optional("view", form::choice<PictureView>(picture_view_names), &SuiteEntry::view)
+        .optional("size", size, &SuiteEntry::size_px)
+        .optional("samples", samples_form(), &SuiteEntry::samples)
+        .optional("picture", form::boolean(), &SuiteEntry::checks_picture)
+        .with(thresholds(), &SuiteEntry::limits)
+        .optional("masks", form::list(mask_form(folder), masks, {most_masks}),
+                  [](SuiteEntry& entry, const std::vector<MaskSource>& all) {
+                      for (const MaskSource& mask : all) {
+                          append(entry.mask.rects, mask.rects);
+                          append(entry.mask.pictures, mask.pictures);
+                      }
+                  })
+        .optional("matrices", matrices_form(), &SuiteEntry::matrices_tolerance)
+        .optional("measure", measures_form(), &SuiteEntry::measures)
+        .optional("problems", problems_form(), [](SuiteEntry& entry, const SuiteEntry& read) {
+            entry.wanted_problems = read.wanted_problems;
+            entry.unwanted_problems = read.unwanted_problems;
+            entry.allows_no_problem = read.allows_no_problem;
+        });
+}
+
+// ---- entries -------------------------------------------------------------------------------------------------------
+
+/// A name in the suite: a file relative to its folder, or a built-in lesson or preset, which is kept if there is no
+/// such file.
+form::Form<std::string> file_form(const fs::path& folder) {
+    return form::name().then([folder](const std::string& name) {
+        std::error_code unknown;
+        const fs::path file = folder / name;
+        return fs::is_regular_file(file, unknown) ? file.string() : name;
     });
-    with("view", [&](const Json& value, const Where& at) {
-        entry.view = static_cast<PictureView>(read_choice(value, at, picture_view_names));
-    });
-    with("size", [&](const Json& value, const Where& at) { entry.size_px = read_size(value, at); });
-    with("samples", [&](const Json& value, const Where& at) {
-        entry.samples.reset();
-        if (value == "state") return;
-        entry.samples = read_whole(value, at, 0, 4);
-        if (*entry.samples != 0 && *entry.samples != 4) at.refuse("must be 0, 4 or \"state\" (the value of the state)");
-    });
-    with("picture", [&](const Json& value, const Where& at) { entry.checks_picture = read_bool(value, at); });
-    with("profile", [&](const Json& value, const Where& at) {
-        entry.limits = options_of(static_cast<CompareProfile>(read_choice(value, at, profile_names)));
-    });
-    with("worst",
-         [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, form::most_worst); });
-    with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
-    with("reach", [&](const Json& value, const Where& at) {
-        entry.limits.reach_px = read_whole(value, at, 0, form::most_reach_px);
-    });
-    with("masks", [&](const Json& value, const Where& at) {
-        require_array(value, at, form::most_masks, "a list of rectangles [x, y, width, height] and picture files");
-        for (std::size_t i = 0; i < value.size(); ++i) read_mask(value[i], at.at(i), folder, entry);
-    });
-    with("matrices", [&](const Json& value, const Where& at) { entry.matrices_tolerance = read_matrices(value, at); });
-    with("measure", [&](const Json& value, const Where& at) { entry.measures = read_measures(value, at); });
-    with("problems", [&](const Json& value, const Where& at) { read_problems(value, at, entry); });
 }
 
-// ---- subjects ------------------------------------------------------------------------------------------------------
-
-/// Resolves a file name relative to the suite's folder and returns the file's path; if there is no such file, returns
-/// the name itself, which may be that of a built-in lesson or preset.
-std::string found_from(const fs::path& folder, const std::string& name) {
-    std::error_code unknown;
-    const fs::path file = folder / name;
-    return fs::is_regular_file(file, unknown) ? file.string() : name;
+/// A state by its name, or written out: the values of `state` and `inline_state`.
+form::Form<std::pair<std::string, std::string>> state_form(const fs::path& folder) {
+    using State = std::pair<std::string, std::string>;
+    const auto named = [](const std::string& name, const Where& where) {
+        if (name == "-") where.refuse("must be a preset, a file or a state, not standard input");
+        return State{name, ""};
+    };
+    const auto read = [](const Json& value, const Where& where) {
+        const Result<Params> params = parse_state(value.dump(), where.prefix + where.path);  // checks the state now
+        if (!params) throw Refusal(params.error());
+        return State{"", value.dump()};
+    };
+    return form::either<State>("a preset's name, a file, or a state written out",
+                               {file_form(folder).then(named, {{"not", {{"const", "-"}}}}),
+                                {"a state", &Json::is_object, read, state_definition}});
 }
 
-void read_state(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
-    if (value.is_string()) {
-        entry.state = found_from(folder, read_name(value, where));
-        if (entry.state == "-") where.refuse("must be a preset, a file or a state, not standard input");
-        return;
-    }
-    require_object(value, where, "a preset's name, a file, or a state written out");
-    entry.inline_state = value.dump();
-    const Result<Params> params = parse_state(entry.inline_state, where.prefix + where.path);  // checks the state now
-    if (!params) throw Refusal(params.error());
+form::Form<SuiteEntry> entry_form(const fs::path& folder, const SuiteEntry& defaults) {
+    const auto step = [](SuiteEntry& entry) -> SuiteStep& {
+        if (!entry.step) entry.view = PictureView::window;
+        return entry.step ? *entry.step : entry.step.emplace();
+    };
+    const auto can_set = [](const SuiteEntry& entry, const Where& where) {
+        const auto is_look = [](const std::string& setting) { return setting.starts_with("ui."); };
+        if (entry.step && !std::all_of(entry.settings.begin(), entry.settings.end(), is_look))
+            where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
+    };
+    return Object<SuiteEntry>()
+        .required("name", form::name(), &SuiteEntry::name)
+        .optional("about", form::name(), &SuiteEntry::about)
+        .optional("state", state_form(folder),
+                  [](SuiteEntry& entry, const auto& state) { std::tie(entry.state, entry.inline_state) = state; })
+        .with(Object<SuiteStep>()
+                  .optional("lesson", file_form(folder), &SuiteStep::lesson)
+                  .optional("step", form::whole(1, 1'000), &SuiteStep::step)
+                  .optional("revealed", form::boolean(), &SuiteStep::revealed)
+                  .optional("present", form::boolean(), &SuiteStep::presents)
+                  .optional("exercise", form::name(), &SuiteStep::exercise)
+                  .optional("course", form::name(), &SuiteStep::course)
+                  .optional("student", form::name(), &SuiteStep::student)
+                  .need({"step", "revealed", "present"}, "lesson")
+                  .need({"course", "student"}, "exercise"),
+              step)
+        .at_most_one({"state", "lesson", "exercise"})
+        .with(settings(folder), std::identity())
+        .form([&defaults] { return defaults; })
+        .then(can_set);
 }
 
-SuiteStep read_lesson_step(const Json& object, const Where& where, const fs::path& folder) {
-    SuiteStep step;
-    step.lesson = found_from(folder, name_at(object, "lesson", where));
-    if (has(object, "step")) step.step = read_whole(object["step"], where.key("step"), 1, form::most_step);
-    step.revealed = has(object, "revealed") && read_bool(object["revealed"], where.key("revealed"));
-    step.presents = has(object, "present") && read_bool(object["present"], where.key("present"));
-    return step;
+/// Entries for all presets or scenes: {"each": "preset", "name": "preset-{}", …}.
+struct Several {
+    Each each = Each::preset;
+    std::string name;  ///< with {} in place of the preset's or the scene's
+    Names except;
+    SuiteEntry like;
+};
+
+form::Form<Several> several_form(const fs::path& folder, const SuiteEntry& defaults) {
+    const auto has_place = [](const std::string& name, const Where& where) {
+        if (name.find("{}") == std::string::npos)
+            where.refuse("must contain {}, which stands for the name of the preset or scene");
+    };
+    return Object<Several>()
+        .required("each", form::choice<Each>(each_names), &Several::each)
+        .required("name", form::name().then(has_place, {{"pattern", "\\{\\}"}}), &Several::name)
+        .optional(
+            "about", form::name(), [](Several & several) -> auto& { return several.like.about; })
+        .optional("except", names_form(), &Several::except)
+        .with(settings(folder), &Several::like)
+        .form(
+            [&defaults] {
+                return Several{Each::preset, "", {}, defaults};
+            },
+            "each");
 }
 
-SuiteStep read_exercise(const Json& object, const Where& where) {
-    SuiteStep step;
-    step.exercise = name_at(object, "exercise", where);
-    if (has(object, "course")) step.course = read_name(object["course"], where.key("course"));
-    if (has(object, "student")) step.student = read_name(object["student"], where.key("student"));
-    return step;
-}
-
-void read_subject(const Json& object, const Where& where, const fs::path& folder, SuiteEntry& entry) {
-    int subjects = 0;
-    for (const char* const key : {"state", "lesson", "exercise"}) subjects += has(object, key) ? 1 : 0;
-    if (subjects > 1) where.refuse("has more than one of \"state\", \"lesson\" and \"exercise\"");
-    if (has(object, "state")) read_state(object["state"], where.key("state"), folder, entry);
-    if (has(object, "lesson")) entry.step = read_lesson_step(object, where, folder);
-    if (has(object, "exercise")) entry.step = read_exercise(object, where);
-    for (const char* const key : {"step", "revealed", "present"})
-        if (has(object, key) && !has(object, "lesson")) where.key(key).refuse("needs \"lesson\"");
-    for (const char* const key : {"course", "student"})
-        if (has(object, key) && !has(object, "exercise")) where.key(key).refuse("needs \"exercise\"");
-    const auto is_look = [](const std::string& setting) { return setting.starts_with("ui."); };
-    if (entry.step && !std::all_of(entry.settings.begin(), entry.settings.end(), is_look))
-        where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
-}
-
-std::string about_at(const Json& object, const Where& where) {
-    return has(object, "about") ? read_name(object["about"], where.key("about")) : "";
-}
-
-SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& folder, const SuiteEntry& defaults) {
-    require_keys(object, where,
-                 with_setting_keys({"name", "about", "state", "lesson", "step", "revealed", "present", "exercise",
-                                    "course", "student"}));
-    SuiteEntry entry = defaults;
-    entry.name = name_at(object, "name", where);
-    entry.about = about_at(object, where);
-    if (has(object, "lesson") || has(object, "exercise")) entry.view = PictureView::window;
-    read_settings_of(object, where, folder, entry);
-    read_subject(object, where, folder, entry);
-    return entry;
-}
-
-/// Reads, for example, {"each": "preset", "name": "preset-{}", …}, which makes one entry for each preset.
-std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const fs::path& folder,
-                                  const SuiteEntry& defaults) {
-    require_keys(object, where, with_setting_keys({"each", "name", "about", "except"}));
-    const int each = read_choice(object["each"], where.key("each"), each_names);
-    const std::string pattern = name_at(object, "name", where);
-    const std::size_t place = pattern.find("{}");
-    if (place == std::string::npos)
-        where.key("name").refuse("must contain {}, which stands for the name of the preset or scene");
-    const std::vector<std::string> except = names_at(object, "except", where);
-    SuiteEntry like = defaults;
-    like.about = about_at(object, where);
-    read_settings_of(object, where, folder, like);
-
-    const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
-    const bool are_fixed = each_names[static_cast<std::size_t>(each)] == std::string_view("mended");
-    const std::vector<NamedFile> files = are_scenes ? scenes() : presets();
+std::vector<SuiteEntry> entries_of(const Several& several, const Where& where) {
+    const std::vector<NamedFile> files = several.each == Each::scene ? scenes() : presets();
     if (files.empty()) where.key("each").refuse("there are none: the assets were not found");
-    for (const std::string& name : except)
+    for (const std::string& name : several.except)
         if (std::none_of(files.begin(), files.end(), [&](const NamedFile& file) { return file.name == name; }))
             where.key("except").refuse("there is no " + excerpt(name));
     std::vector<SuiteEntry> entries;
     for (const NamedFile& file : files) {
-        if (are_fixed && file.fixed_by.empty()) continue;
-        if (std::find(except.begin(), except.end(), file.name) != except.end()) continue;
-        SuiteEntry entry = like;
-        entry.name = pattern.substr(0, place) + file.name + pattern.substr(place + 2);
-        if (are_scenes)
+        if (several.each == Each::fixed_preset && file.fixed_by.empty()) continue;
+        if (std::find(several.except.begin(), several.except.end(), file.name) != several.except.end()) continue;
+        SuiteEntry& entry = entries.emplace_back(several.like);
+        entry.name = several.name;
+        entry.name.replace(several.name.find("{}"), 2, file.name);
+        if (several.each == Each::scene)
             entry.inline_state = Json{{"scene", file.name}}.dump();
         else
             entry.state = file.name;
-        if (are_fixed) entry.settings.insert(entry.settings.begin(), file.fixed_by);
-        entries.push_back(std::move(entry));
+        if (several.each == Each::fixed_preset) entry.settings.insert(entry.settings.begin(), file.fixed_by);
     }
     return entries;
 }
@@ -267,31 +278,6 @@ void name_files(Suite& suite, const std::string& prefix) {
     }
 }
 
-/// Gives entries the thresholds listed in "loosened", and adds the reason to each entry's description.
-void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
-    require_array(list, where, form::most_entries, "a list of names with thresholds and a reason");
-    std::map<std::string, SuiteEntry*> by_name;
-    for (SuiteEntry& entry : entries) by_name.emplace(entry.name, &entry);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const Where at = where.at(i);
-        require_keys(list[i], at, {"name", "about", "profile", "worst", "share", "reach"});
-        const std::string name = name_at(list[i], "name", at);
-        const auto found = by_name.find(name);
-        if (found == by_name.end()) at.key("name").refuse("there is no entry " + excerpt(name));
-        SuiteEntry* const entry = found->second;
-        const std::string reason = name_at(list[i], "about", at);
-        entry->about += (entry->about.empty() ? "" : "; ") + reason;
-        Json thresholds = list[i];
-        thresholds.erase("name");
-        thresholds.erase("about");
-        read_settings_of(thresholds, at, {}, *entry);
-    }
-}
-
-fs::path folder_at(const Json& object, const char* key, const Where& where, const fs::path& folder) {
-    return folder / (has(object, key) ? read_name(object[key], where.key(key)) : key);
-}
-
 /// Returns the approximate amount of memory that an entry uses.
 std::size_t bytes_of(const SuiteEntry& entry) {
     std::size_t bytes = sizeof(SuiteEntry) + entry.name.size() + entry.about.size() + entry.state.size() +
@@ -307,7 +293,7 @@ std::size_t bytes_of(const SuiteEntry& entry) {
 /// Whether any check of the entry can fail at all.
 bool tests_something(const SuiteEntry& entry) {
     const bool passes_any_picture = entry.limits.profile == CompareProfile::strict &&
-                                    (entry.limits.worst == form::most_worst || entry.limits.share >= 1.0);
+                                    (entry.limits.worst == largest_worst || entry.limits.share >= 1.0);
     return (entry.checks_picture && !passes_any_picture) || entry.matrices_tolerance || !entry.measures.empty() ||
            !entry.wanted_problems.empty() || !entry.unwanted_problems.empty() || entry.allows_no_problem;
 }
@@ -325,46 +311,85 @@ void check_entry_of(const SuiteEntry& entry, const Where& where) {
                           : " tests nothing: without \"picture\" it needs \"matrices\", \"measure\" or \"problems\""));
 }
 
-Suite read_suite(const Json& document, const fs::path& file, const Where& where) {
-    require_keys(document, where,
-                 {"$schema", "suite", "title", "references", "report", "defaults", "entries", "loosened"});
-    if (!has(document, "suite") || document["suite"] != 1)
-        where.key("suite").refuse("must be 1, the version of the format that this program reads");
-    Suite suite;
-    suite.argument = file;
-    suite.folder = file.parent_path();
-    suite.name = has(document, "title") ? read_name(document["title"], where.key("title")) : file.stem().string();
-    suite.references = folder_at(document, "references", where, suite.folder);
-    suite.report = folder_at(document, "report", where, suite.folder);
+/// What is known while a suite is read.
+struct Reading {
+    fs::path folder;
     SuiteEntry defaults;
-    if (has(document, "defaults")) {
-        require_keys(document["defaults"], where.key("defaults"), setting_keys);
-        read_settings_of(document["defaults"], where.key("defaults"), suite.folder, defaults);
-    }
-    const Where entries = where.key("entries");
-    if (!has(document, "entries")) entries.refuse("is missing: a list of entries");
-    require_array(document["entries"], entries, form::most_entries, "a list of entries");
-    std::size_t bytes = 0;  // including each entry's copy of the defaults
-    const auto add = [&](SuiteEntry entry) {
+    std::vector<SuiteEntry> entries;
+    std::size_t bytes = 0;                       ///< of all entries, each with its copy of the defaults
+    std::map<std::string, SuiteEntry*> by_name;  ///< filled when the first entry is looked up
+
+    void add(const SuiteEntry& entry, const Where& where) {
         constexpr std::size_t most_bytes = 128U << 20U;
         bytes += bytes_of(entry);
-        if (suite.entries.size() == form::most_entries)
-            entries.refuse("are more than " + std::to_string(form::most_entries) + ", counting all those of \"each\"");
+        if (entries.size() == most_suite_entries)
+            where.refuse("are more than " + std::to_string(most_suite_entries) + ", counting all those of \"each\"");
         if (bytes > most_bytes)
-            entries.refuse("have more than " + std::to_string(most_bytes >> 20U) +
-                           " MiB of settings, masks and texts, including the defaults");
-        suite.entries.push_back(std::move(entry));
-    };
-    for (std::size_t i = 0; i < document["entries"].size(); ++i) {
-        const Json& object = document["entries"][i];
-        require_object(object, entries.at(i), "an object");
-        if (has(object, "each"))
-            for (SuiteEntry& entry : read_each(object, entries.at(i), suite.folder, defaults)) add(std::move(entry));
-        else
-            add(read_entry(object, entries.at(i), suite.folder, defaults));
+            where.refuse("have more than " + std::to_string(most_bytes >> 20U) +
+                         " MiB of settings, masks and texts, including the defaults");
+        entries.push_back(entry);
     }
-    if (has(document, "loosened")) loosen(document["loosened"], where.key("loosened"), suite.entries);
-    for (const SuiteEntry& entry : suite.entries) check_entry_of(entry, entries);
+
+    SuiteEntry* find(const std::string& name, const Where& where) {
+        if (by_name.empty())
+            for (SuiteEntry& entry : entries) by_name.emplace(entry.name, &entry);
+        const auto found = by_name.find(name);
+        if (found == by_name.end()) where.refuse("there is no entry " + excerpt(name));
+        return found->second;
+    }
+};
+
+form::Form<bool> entries_form(Reading& reading) {
+    const auto add = [&](const SuiteEntry& entry, const Where& where) {
+        reading.add(entry, {where.prefix, "entries"});
+        return true;
+    };
+    const auto add_all = [&](const Several& several, const Where& where) {
+        for (const SuiteEntry& entry : entries_of(several, where)) reading.add(entry, {where.prefix, "entries"});
+        return true;
+    };
+    return form::either<bool>("an object", {several_form(reading.folder, reading.defaults).then(add_all),
+                                            entry_form(reading.folder, reading.defaults).then(add)});
+}
+
+/// New thresholds for an entry, and the reason for them, which is added to the entry's description.
+form::Form<SuiteEntry*> loosened_form(Reading& reading) {
+    const auto named = [&](const std::string& name, const Where& where) { return reading.find(name, where); };
+    const auto explain = [](SuiteEntry* entry, const std::string& reason) {
+        entry->about += (entry->about.empty() ? "" : "; ") + reason;
+    };
+    return Object<SuiteEntry*>()
+        .required(
+            "name", form::name().then(named), [](SuiteEntry * &entry) -> auto& { return entry; })
+        .required("about", form::name(), explain)
+        .with(
+            thresholds(), [](SuiteEntry * entry) -> auto& { return entry->limits; })
+        .form();
+}
+
+Object<Suite> suite_form(Reading& reading) {
+    const auto subfolder = form::name().then([&](const std::string& name) { return reading.folder / name; });
+    return Object<Suite>()
+        .version("suite")
+        .optional("title", form::name(), &Suite::name)
+        .optional("references", subfolder, &Suite::references)
+        .optional("report", subfolder, &Suite::report)
+        .optional("defaults", settings(reading.folder).form(),
+                  [&](Suite&, const SuiteEntry& defaults) { reading.defaults = defaults; })
+        .checked("entries",
+                 form::list(entries_form(reading), "a list of entries", {most_suite_entries, 1, "has no entries"}),
+                 true)
+        .checked("loosened", form::list(loosened_form(reading), "a list of names with thresholds and a reason",
+                                        {most_suite_entries}));
+}
+
+Suite read_suite(const Json& document, const fs::path& file, const Where& where) {
+    Reading reading{file.parent_path(), {}, {}, 0, {}};
+    Suite suite = suite_form(reading).read(
+        document, where,
+        {file.stem().string(), file, reading.folder, reading.folder / "references", reading.folder / "report", {}});
+    suite.entries = std::move(reading.entries);
+    for (const SuiteEntry& entry : suite.entries) check_entry_of(entry, where.key("entries"));
     return suite;
 }
 
@@ -431,6 +456,11 @@ std::string safe_file_name(const std::string& name) {
                          std::isdigit(static_cast<unsigned char>(stem[3])) != 0;
     if (is_port || std::find(devices.begin(), devices.end(), stem) != devices.end()) safe.insert(0, "_");
     return safe;
+}
+
+std::string suite_schema() {
+    Reading none;
+    return form::document("A suite of the Viewing Sandbox", suite_form(none));
 }
 
 Result<Suite> load_suite(const std::string& argument) {

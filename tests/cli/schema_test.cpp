@@ -59,6 +59,19 @@ TEST_F(Schema, EveryPresetAndSceneIsValid) {
     }
 }
 
+TEST_F(Schema, EveryLessonLectureAndExerciseIsValid) {
+    if (!has_validator()) GTEST_SKIP() << no_validator;
+    for (const std::string form : {"lesson", "lecture", "exercise"}) {
+        write(form + ".schema", expect(0, {"params", "--format", form + "-schema"}).out);
+        Words files;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(std::string(std::getenv("VIEWING_SANDBOX_ASSETS")) + "/" + form + "s"))
+            files.push_back(entry.path().string());
+        ASSERT_FALSE(files.empty());
+        EXPECT_EQ(valid(form + ".schema", files), repeated("yes", files.size())) << form;
+    }
+}
+
 TEST_F(Schema, KnowsSuites) {
     if (!has_validator()) GTEST_SKIP() << no_validator;
     write("suite.schema", expect(0, {"params", "--format", "suite-schema"}).out);

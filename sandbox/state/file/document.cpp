@@ -225,11 +225,11 @@ void print(const Json& value, std::size_t level, std::string& out) {
 }  // namespace
 
 Where Where::key(std::string_view name) const {
-    return {prefix, path.empty() ? excerpt(name) : path + "." + excerpt(name)};
+    return {prefix, path.empty() ? excerpt(name) : path + "." + excerpt(name), mistakes};
 }
 
 Where Where::at(std::size_t index) const {
-    return {prefix, path + "[" + std::to_string(index) + "]"};
+    return {prefix, path + "[" + std::to_string(index) + "]", mistakes};
 }
 
 void Where::refuse(const std::string& what) const {

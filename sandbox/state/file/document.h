@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "platform/text_file.h"
 #include "text/json.h"
@@ -34,14 +35,36 @@ auto guarded(Read read) -> Result<decltype(read())> {
     }
 }
 
-/// A place in a document: the prefix of every message, and the path so far.
+/// A place in a document: the prefix of every message, the path so far, and the mistakes if they are collected.
 struct Where {
     std::string prefix;  ///< "state.json: " or "--set "
     std::string path;    ///< "projection.near", with each key cut at 20 characters; empty at the root
+    std::vector<std::string>* mistakes = nullptr;  ///< nullptr: the first mistake ends the reading
 
     Where key(std::string_view name) const;
     Where at(std::size_t index) const;
     [[noreturn]] void refuse(const std::string& what) const;
+    /// Reads a part that others do not depend on, so that one run can report all mistakes of a file. Returns false if
+    /// the part had mistakes, which were collected.
+    template <typename Read>
+    bool part(const Read& read) const {
+        const std::size_t before = mistakes ? mistakes->size() : 0;
+        try {
+            read();
+        } catch (const Refusal& refusal) {
+            if (!mistakes) throw;
+            if (*refusal.what() != '\0') mistakes->emplace_back(refusal.what());
+        }
+        return !mistakes || mistakes->size() == before;
+    }
+    /// Returns the value that `read` returns. If mistakes in it were collected, leaves the part by an empty Refusal.
+    template <typename Read>
+    auto whole(const Read& read) const {
+        const std::size_t before = mistakes ? mistakes->size() : 0;
+        auto value = read();
+        if (mistakes && mistakes->size() > before) throw Refusal("");
+        return value;
+    }
 };
 
 /// Limits of a document. A report written by this program may be larger than a file written by a user.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "state/file/form.h"
 #include "state/file/json.h"
-#include "state/file/reader.h"
+#include "state/file/schema.h"
 #include "text/numbers.h"
 
 namespace viewing {
@@ -11,25 +12,51 @@ namespace {
 
 constexpr double longest_s = 1e9;
 
-const Json& member(const Json& object, const char* key, const Where& where) {
-    if (!object.contains(key)) where.key(key).refuse("is missing");
-    return object[key];
+/// Reads a frame. Its settings are applied to `params` right away, so that an error can name its place in the file.
+form::Form<FlightFrame> frame_form(Params& params, double& before_s) {
+    const auto apply = [&](const FlightFrame& frame, const Where& where) {
+        if (frame.t_s < before_s)
+            where.key("t").refuse("must be at least " + format_number(before_s) +
+                                  ", the time of the previous frame, got " + format_number(frame.t_s));
+        before_s = frame.t_s;
+        Result<Params> changed = apply_settings(params, frame.settings, where.prefix + where.path + ": ");
+        if (!changed) throw Refusal(changed.error());
+        params = *std::move(changed);
+    };
+    return form::Object<FlightFrame>()
+        .required("t", form::number({0.0, longest_s}), &FlightFrame::t_s)
+        .required("set", form::settings(), &FlightFrame::settings)
+        .form()
+        .then(apply);
 }
 
-/// Reads a frame and applies its settings right away, so that an error can name its place in the file.
-FlightFrame read_frame(const Json& frame, const Where& where, double before_s, Params& params) {
-    require_keys(frame, where, {"t", "set"});
-    FlightFrame read;
-    read.t_s = read_number(member(frame, "t", where), where.key("t"), {0.0, longest_s});
-    if (read.t_s < before_s)
-        where.key("t").refuse("must be at least " + format_number(before_s) + ", the time of the previous frame, got " +
-                              format_number(read.t_s));
-    const std::string prefix = where.prefix + where.path + ": ";
-    read.settings = read_settings(member(frame, "set", where), where.key("set"));
-    Result<Params> changed = apply_settings(params, read.settings, prefix);
-    if (!changed) throw Refusal(changed.error());
-    params = *std::move(changed);
-    return read;
+form::Form<Params> start_form() {
+    const auto read = [](const Json& value, const Where& where) {
+        const std::string prefix = where.prefix + "state: ";
+        Params start;
+        read_group(start, value, {prefix, ""});
+        check_together(start, prefix);
+        return start;
+    };
+    return {"a state", &Json::is_object, read, state_without_titles};
+}
+
+/// `params` and `before_s` are those of the latest frame read.
+form::Object<Flight> flight_form(Params& params, double& before_s) {
+    static constexpr std::array kinds{"flight"};
+    const auto start = [&](Flight& flight, const Params& read) { flight.start = params = read; };
+    const std::string frames = "a list of frames, at most " + std::to_string(most_flight_pictures - 1);
+    auto seconds = form::number({0.0, longest_s});
+    seconds.read = [&](const Json& value, const Where& where) {
+        return read_number(value, where, {before_s, longest_s});
+    };
+    return form::Object<Flight>()
+        .version("version")
+        .checked("kind", form::choice(kinds), true)
+        .required("state", start_form(), start)
+        .required("frames", form::list(frame_form(params, before_s), frames, {most_flight_pictures - 1}),
+                  &Flight::frames)
+        .optional("seconds", seconds, &Flight::seconds);
 }
 
 }  // namespace
@@ -83,24 +110,17 @@ bool is_flight(const Json& document) {
 }
 
 Flight read_flight(const Json& document, const Where& where) {
-    require_keys(document, where, {"version", "kind", "seconds", "state", "frames"});
-    const Json& version = member(document, "version", where);
-    if (version != 1)
-        refuse_value(version, where.key("version"), "1, the version of the format that this program reads");
-    Flight flight;
-    read_group(flight.start, member(document, "state", where), {where.prefix + "state: ", ""});
-    check_together(flight.start, where.prefix + "state: ");
-    const Json& frames = member(document, "frames", where);
-    const Where of_frames = where.key("frames");
-    require_array(frames, of_frames, most_flight_pictures - 1,
-                  "a list of frames, at most " + std::to_string(most_flight_pictures - 1));
-    Params params = flight.start;
-    for (std::size_t i = 0; i < frames.size(); ++i)
-        flight.frames.push_back(read_frame(frames[i], of_frames.at(i), flight.time_s(i), params));
-    flight.seconds = flight.time_s(frames.size());
-    if (document.contains("seconds"))
-        flight.seconds = read_number(document["seconds"], where.key("seconds"), {flight.seconds, longest_s});
+    Params params;
+    double end_s = 0.0;
+    Flight flight = flight_form(params, end_s).read(document, where);
+    flight.seconds = std::max(flight.seconds, end_s);
     return flight;
+}
+
+std::string flight_schema() {
+    Params params;
+    double end_s = 0.0;
+    return form::document("A flight of Viewing Sandbox", flight_form(params, end_s));
 }
 
 }  // namespace viewing

@@ -8,7 +8,7 @@ namespace viewing {
 namespace {
 
 constexpr std::array<std::string_view, 4> replaced{"camera.position", "camera.yaw", "camera.pitch", "camera.roll"};
-constexpr const char* form = "{\"eye\": [x, y, z], \"center\": [x, y, z], \"up\": [x, y, z]}";
+constexpr const char* look_at_form = "{\"eye\": [x, y, z], \"center\": [x, y, z], \"up\": [x, y, z]}";
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Json look_at_as_json(const LookAt& look_at) {
 }
 
 LookAt read_look_at(const Json& value, const Where& where) {
-    require_object(value, where, form);
+    require_object(value, where, look_at_form);
     require_keys(value, where, {"eye", "center", "up"});
     const Field& position = field("camera.position");
     LookAt look_at;
@@ -31,7 +31,7 @@ LookAt read_look_at(const Json& value, const Where& where) {
         if (value.contains(key))
             vector = read_vec3(value[key], where.key(key), {position.min, position.max}, allowed_text(position));
         else if (std::string_view(key) != "up")
-            where.key(key).refuse("is missing: look_at is " + std::string(form));
+            where.key(key).refuse("is missing: look_at is " + std::string(look_at_form));
     };
     read("eye", look_at.eye);
     read("center", look_at.center);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "state/file/beside.h"
+#include "state/file/form.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -338,12 +339,7 @@ void refuse_unknown(const Where& where) {
 }
 
 std::vector<int> read_slides(const Json& object, const Where& where) {
-    std::vector<int> slides;
-    if (!object.contains("slides")) return slides;
-    require_array(object["slides"], where.key("slides"), 100, "a list of slide numbers");
-    for (std::size_t i = 0; i < object["slides"].size(); ++i)
-        slides.push_back(read_whole(object["slides"][i], where.key("slides").at(i), 1, 9999));
-    return slides;
+    return object.contains("slides") ? form::slides().read(object["slides"], where.key("slides")) : std::vector<int>();
 }
 
 Titles take_titles(Json& document, const Where& where) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "state/file/reader.h"
+#include "state/file/form.h"
 #include "state/file/scene_limits.h"
 #include "text/words.h"
 
@@ -42,68 +42,60 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     return vertices;
 }
 
-/// Refuses an object with a field that belongs to another shape, or without a field that its shape needs.
-void require_shape(const ObjectDescription& object, ShapeKind shape, const Json& value, const Where& where,
-                   const char* key, bool is_needed) {
-    if (object.shape != shape && value.contains(key)) {
-        where.key(key).refuse("belongs to the shape " + std::string(name_of(shape)) + ", but this object is a " +
-                              std::string(name_of(object.shape)));
-    }
-    if (object.shape == shape && !value.contains(key) && is_needed) {
-        where.key(key).refuse("is missing: a " + std::string(name_of(shape)) + " needs it");
-    }
+/// Only this shape may have the key and, if `is_needed`, must have it.
+form::Keys::Rule only_of(ShapeKind shape, const char* key, bool is_needed) {
+    const std::string name(name_of(shape));
+    const auto check = [=](const Json& object, const Where& where) {
+        const auto names = names_of<ShapeKind>();
+        const auto own =
+            object.contains("shape") ? std::find(names.begin(), names.end(), object["shape"]) : names.end();
+        if (own == names.end()) return;  // the shape is refused
+        if (*own != name && object.contains(key))
+            where.key(key).refuse("belongs to the shape " + name + ", but this object is a " + *own);
+        if (*own == name && !object.contains(key) && is_needed)
+            where.key(key).refuse("is missing: a " + name + " needs it");
+    };
+    const Json is_shape = {{"properties", {{"shape", {{"const", name}}}}}};
+    const Json has_key = {{"required", Json::array({key})}};
+    return {check, {{"if", is_shape}, {"then", is_needed ? has_key : Json(true)}, {"else", {{"not", has_key}}}}};
 }
 
-void read_member(ObjectDescription& object, const std::string& key, const Json& value, const Where& where) {
-    if (key == "name") {
-        object.name = read_name(value, where);
-    } else if (key == "shape") {
-        object.shape = static_cast<ShapeKind>(read_choice(value, where, names_of<ShapeKind>()));
-    } else if (key == "position") {
-        object.position = read_vec3(value, where, position_range, "three numbers [x, y, z]");
-    } else if (key == "rotation") {
-        const glm::dvec3 angles = read_vec3(value, where, angle_range, "three angles [yaw, pitch, roll] in degrees");
+form::Form<ObjectDescription> object_form() {
+    const auto rotate = [](ObjectDescription& object, const glm::dvec3& angles) {
         object.rotation = {angles.x, angles.y, angles.z};
-    } else if (key == "scale") {
-        object.scale = read_scale(value, where);
-    } else if (key == "color") {
-        object.color = read_color(value, where);
-    } else if (key == "decal") {
-        object.decal = read_bool(value, where);
-    } else if (key == "vertices") {
-        object.vertices = read_vertices(value, where);
-    } else if (key == "file") {
-        object.file = read_name(value, where);
-    } else if (key == "crease_deg") {
-        object.reading.crease_deg = read_number(value, where, crease_range);
-    } else if (key == "fit") {
-        object.reading.fit = read_bool(value, where);
-    } else {
-        object.resolution = read_whole(value, where, 1, max_resolution);
-    }
-}
-
-ObjectDescription read_object(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"name",  "shape",    "position", "rotation",   "scale", "color",
-                                                  "decal", "vertices", "file",     "crease_deg", "fit",   "resolution"};
-    require_object(value, where, "an object {\"name\": …, \"shape\": …}");
-    ObjectDescription object;
-    for (const auto& [key, member] : value.items()) {
-        require_known_key(key, where, keys);
-        read_member(object, key, member, where.key(key));
-    }
-    if (object.name.empty()) {
-        where.key("name").refuse("is missing: every object needs a unique name");
-    }
-    if (!value.contains("shape")) {
-        where.key("shape").refuse("is missing: one of " + joined(names_of<ShapeKind>()));
-    }
-    require_shape(object, ShapeKind::triangle, value, where, "vertices", true);
-    require_shape(object, ShapeKind::mesh, value, where, "file", true);
-    require_shape(object, ShapeKind::mesh, value, where, "crease_deg", false);
-    require_shape(object, ShapeKind::mesh, value, where, "fit", false);
-    require_shape(object, ShapeKind::teapot, value, where, "resolution", false);
-    return object;
+    };
+    const auto scale_schema = [](Json&) {
+        const Json factors = {form::number_in(scale_range), form::number_in({-scale_range.max, -scale_range.min})};
+        return form::list_of({{"anyOf", factors}}, 3, 3);
+    };
+    const auto vertices_schema = [](Json&) {
+        return form::list_of(form::list_of(form::number_in(position_range), 3, 3), 3, 3);
+    };
+    return form::Object<ObjectDescription>("an object {\"name\": …, \"shape\": …}")
+        .required("name", form::name("every object needs a unique name"), &ObjectDescription::name)
+        .required("shape", form::choice<ShapeKind>(names_of<ShapeKind>()), &ObjectDescription::shape)
+        .optional("position", form::vec3(position_range, "three numbers [x, y, z]"), &ObjectDescription::position)
+        .optional("rotation", form::vec3(angle_range, "three angles [yaw, pitch, roll] in degrees"), rotate)
+        .optional("scale", form::Form<glm::dvec3>{"three factors", {}, read_scale, scale_schema},
+                  &ObjectDescription::scale)
+        .optional("color", form::color(), &ObjectDescription::color)
+        .optional("decal", form::boolean(), &ObjectDescription::decal)
+        .optional("vertices",
+                  form::Form<std::array<glm::dvec3, 3>>{"three vertices", {}, read_vertices, vertices_schema},
+                  &ObjectDescription::vertices)
+        .optional("file", form::name(), &ObjectDescription::file)
+        .optional(
+            "crease_deg", form::number(crease_range),
+            [](ObjectDescription & mesh) -> auto& { return mesh.reading.crease_deg; })
+        .optional(
+            "fit", form::boolean(), [](ObjectDescription & mesh) -> auto& { return mesh.reading.fit; })
+        .optional("resolution", form::whole(1, max_resolution), &ObjectDescription::resolution)
+        .rule(only_of(ShapeKind::triangle, "vertices", true))
+        .rule(only_of(ShapeKind::mesh, "file", true))
+        .rule(only_of(ShapeKind::mesh, "crease_deg", false))
+        .rule(only_of(ShapeKind::mesh, "fit", false))
+        .rule(only_of(ShapeKind::teapot, "resolution", false))
+        .form();
 }
 
 Json object_as_json(const ObjectDescription& object) {
@@ -134,38 +126,30 @@ Json object_as_json(const ObjectDescription& object) {
 
 }  // namespace
 
-SceneDescription read_scene(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"objects", "made_by"};
-    require_object(value, where, "an object {\"objects\": […]}");
-    for (const auto& item : value.items()) {
-        require_known_key(item.key(), where, keys);
-    }
-    const Where where_objects = where.key("objects");
-    if (value.contains("made_by")) {
-        const Where where_formula = where.key("made_by");
-        const int formula = read_choice(value["made_by"], where_formula, formulas);
-        if (value.contains("objects")) {
-            where_formula.refuse("the scene also lists objects: it must have either a formula or objects");
-        }
-        return {{}, static_cast<SceneFormula>(formula)};
-    }
-    if (!value.contains("objects")) {
-        where_objects.refuse("is missing: the array of the scene's objects");
-    }
-    const Json& objects = value["objects"];
-    require_array(objects, where_objects, max_objects,
-                  "an array of at most " + std::to_string(max_objects) + " objects");
+form::Object<SceneDescription> scene_form() {
+    const std::string objects = "an array of at most " + std::to_string(max_objects) + " objects";
+    const auto have_own_names = [](const std::vector<ObjectDescription>& all, const Where& where) {
+        std::unordered_set<std::string> names;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!names.insert(all[i].name).second)
+                where.at(i).key("name").refuse("an earlier object is already called \"" + excerpt(all[i].name) + "\"");
+    };
+    const auto has_one = [](const Json& scene, const Where& where) {
+        if (scene.contains("made_by") && scene.contains("objects"))
+            where.key("made_by").refuse("the scene also lists objects: it must have either a formula or objects");
+        if (!scene.contains("made_by") && !scene.contains("objects"))
+            where.key("objects").refuse("is missing: the array of the scene's objects");
+    };
+    return form::Object<SceneDescription>("an object {\"objects\": […]}")
+        .optional("objects", form::list(object_form(), objects, {max_objects}).then(have_own_names),
+                  &SceneDescription::objects)
+        .optional("made_by", form::choice<SceneFormula>(formulas), &SceneDescription::made_by)
+        .rule({has_one, Json::parse(R"({"oneOf": [{"required": ["objects"]}, {"required": ["made_by"]}]})")});
+}
 
-    SceneDescription scene;
-    std::unordered_set<std::string> names;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        scene.objects.push_back(read_object(objects[i], where_objects.at(i)));
-        if (!names.insert(scene.objects.back().name).second) {
-            where_objects.at(i).key("name").refuse("an earlier object is already called \"" +
-                                                   excerpt(scene.objects.back().name) + "\"");
-        }
-    }
-    return scene;
+SceneDescription read_scene(const Json& value, const Where& where) {
+    static const form::Object<SceneDescription> scene = scene_form();
+    return scene.read(value, where);
 }
 
 Json scene_as_json(const SceneDescription& scene) {

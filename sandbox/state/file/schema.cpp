@@ -1,65 +1,30 @@
 #include "state/file/schema.h"
 
-#include "state/file/reader.h"
-#include "state/file/scene_limits.h"
+#include "state/file/form.h"
 #include "state/overloaded.h"
 
 namespace viewing {
 namespace {
 
-constexpr const char* draft = "https://json-schema.org/draft/2020-12/schema";
+using form::number_in, form::whole_in, form::one_of, form::object_of, form::list_of, form::name_schema;
 
-Json number_in(const Range& range) {
-    return {{"type", "number"}, {"minimum", range.min}, {"maximum", range.max}};
-}
-
-Json whole_in(double min, double max) {
-    return {{"type", "integer"}, {"minimum", min}, {"maximum", max}};
-}
-
-/// Returns the schema of an array with exactly these items.
-Json tuple(Json items) {
-    const std::size_t count = items.size();
-    return {{"type", "array"}, {"prefixItems", std::move(items)}, {"minItems", count}, {"maxItems", count}};
-}
-
-Json list_of(std::size_t count, const Json& item) {
-    return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
-}
-
-Json at_most(std::size_t count, Json item) {
-    return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", count}};
+Json exactly(std::size_t count, const Json& item) {
+    return list_of(item, count, count);
 }
 
 Json null_or(Json schema) {
     return {{"anyOf", Json::array({{{"type", "null"}}, std::move(schema)})}};
 }
 
-Json object_of(Json properties) {
-    return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
-}
-
-Json name() {
-    return {{"type", "string"}, {"minLength", 1}, {"maxLength", 1024}};
-}
-
-Json color() {
-    return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
-}
-
-Json one_of(std::span<const char* const> names) {
-    return {{"enum", std::vector<std::string>(names.begin(), names.end())}};
-}
-
 Json matrix(const Range& range) {
-    return null_or(list_of(4, list_of(4, number_in(range))));
+    return null_or(exactly(4, exactly(4, number_in(range))));
 }
 
 template <typename Vector>
 Json vector(const Field& field) {
     Json items = Json::array();
     for (int i = 0; i < Vector::length(); ++i) items.push_back(number_in(component_range(field, i)));
-    return tuple(std::move(items));
+    return list_of(std::move(items), Vector::length(), Vector::length());
 }
 
 Json described(const Field& field);
@@ -100,31 +65,31 @@ Json of_type(const Field& field) {
             },
             [&](glm::dvec3*) { return vector<glm::dvec3>(field); },
             [&](glm::dvec4*) { return vector<glm::dvec4>(field); },
-            [](Color*) { return color(); },
+            [](Color*) { return form::color_schema(); },
             [](EnumRef choice) { return one_of(choice.names); },
             [](SceneSource*) -> Json {
-                return {{"anyOf", Json::array({name(), {{"$ref", "#/$defs/scene"}}})}};
+                return {{"anyOf", Json::array({name_schema(), {{"$ref", "#/$defs/scene"}}})}};
             },
-            []<typename Element>(Further<Element> list) { return at_most(list.most, element(list.group)); },
+            []<typename Element>(Further<Element> list) { return list_of(element(list.group), list.most); },
             [&](std::optional<glm::dmat4>*) { return matrix(component_range(field, 0)); },
-            [](FurtherOverrides) { return at_most(most_planes * most_lights, further_override()); },
+            [](FurtherOverrides) { return list_of(further_override(), most_planes * most_lights); },
             [&](std::optional<Follow>*) -> Json {
-                Json vertex = object_of({{"object", name()}, {"vertex", whole_in(0, 1'000'000'000)}});
+                Json vertex = object_of({{"object", name_schema()}, {"vertex", whole_in(0, 1'000'000'000)}});
                 vertex["required"] = {"object"};
-                Json point = object_of({{"point", list_of(3, number_in(range))}});
+                Json point = object_of({{"point", exactly(3, number_in(range))}});
                 point["required"] = {"point"};
                 return {{"anyOf", Json::array({{{"type", "null"}}, std::move(vertex), std::move(point)})}};
             },
-            [&](std::optional<glm::dvec2>*) { return null_or(list_of(2, number_in(range))); },
-            [&](std::optional<glm::ivec2>*) { return null_or(list_of(2, whole_in(range.min, range.max))); },
+            [&](std::optional<glm::dvec2>*) { return null_or(exactly(2, number_in(range))); },
+            [&](std::optional<glm::ivec2>*) { return null_or(exactly(2, whole_in(range.min, range.max))); },
             [&](std::optional<Pin>*) {
-                Json pin = object_of({{"object", name()}, {"at", null_or(list_of(2, number_in(range)))}});
+                Json pin = object_of({{"object", name_schema()}, {"at", null_or(exactly(2, number_in(range)))}});
                 pin["minProperties"] = 1;
                 return null_or(std::move(pin));
             },
             [&](std::vector<std::string>*) {
                 const std::vector<std::string> allowed = allowed_names(field);
-                Json names = at_most(allowed.size(), {{"enum", allowed}});
+                Json names = list_of({{"enum", allowed}}, allowed.size());
                 names["uniqueItems"] = true;
                 return names;
             },
@@ -143,61 +108,14 @@ Json described(const Field& field) {
     return schema;
 }
 
-/// Returns the rule that only this shape may have the key and, if `is_needed`, must have it.
-Json only_of(ShapeKind shape, const char* key, bool is_needed) {
-    const Json is_shape = {{"properties", {{"shape", {{"const", name_of(shape)}}}}}};
-    const Json has_key = {{"required", Json::array({key})}};
-    return {{"if", is_shape}, {"then", is_needed ? has_key : Json(true)}, {"else", {{"not", has_key}}}};
-}
-
-Json scene_object() {
-    const Json factor = {
-        {"anyOf", Json::array({number_in(scale_range), number_in({-scale_range.max, -scale_range.min})})}};
-    const Json place = list_of(3, number_in(position_range));
-    Json object = object_of({{"name", name()},
-                             {"shape", one_of(names_of<ShapeKind>())},
-                             {"position", place},
-                             {"rotation", list_of(3, number_in(angle_range))},
-                             {"scale", list_of(3, factor)},
-                             {"color", color()},
-                             {"decal", {{"type", "boolean"}}},
-                             {"vertices", list_of(3, place)},
-                             {"file", name()},
-                             {"crease_deg", number_in(crease_range)},
-                             {"fit", {{"type", "boolean"}}},
-                             {"resolution", whole_in(1, max_resolution)}});
-    object["required"] = {"name", "shape"};
-    object["allOf"] =
-        Json::array({only_of(ShapeKind::triangle, "vertices", true), only_of(ShapeKind::mesh, "file", true),
-                     only_of(ShapeKind::mesh, "crease_deg", false), only_of(ShapeKind::mesh, "fit", false),
-                     only_of(ShapeKind::teapot, "resolution", false)});
-    return object;
-}
-
-/// Returns the properties of a scene, which either lists its objects or is made by a formula.
-Json scene_properties() {
-    return {{"objects", at_most(max_objects, scene_object())}, {"made_by", one_of(formulas)}};
-}
-
-Json scene_of(Json properties) {
-    Json scene = object_of(std::move(properties));
-    scene["oneOf"] = Json::array({{{"required", {"objects"}}}, {{"required", {"made_by"}}}});
-    return scene;
-}
-
 /// Returns the properties with the titles in front.
 Json with_titles(const Json& properties) {
     Json all = Json::object();
     for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};
-    all["slides"] = {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}, {"maximum", 9999}}}};
+    Json none;
+    all["slides"] = form::slides().schema(none);
     all.update(properties);
     return all;
-}
-
-Json document(const char* title, const Json& content) {
-    Json schema = {{"$schema", draft}, {"title", title}};
-    schema.update(content);
-    return schema;
 }
 
 /// Adds camera.look_at, which excludes the fields that it replaces.
@@ -231,9 +149,8 @@ void add_rules_of_range(Json& root) {
                                  {{"if", logarithmic}, {"then", finite}}});
 }
 
-}  // namespace
-
-std::string state_schema() {
+/// Returns the schema of a state, with its titles or without.
+Json whole_state(Json& definitions, bool has_titles) {
     Json root = object_of(Json::object());
     for (const Field& field : fields()) {
         Json* group = &root;
@@ -248,13 +165,37 @@ std::string state_schema() {
     }
     add_look_at(root["properties"]["camera"]);
     add_rules_of_range(root);
-    root["properties"] = with_titles(root["properties"]);
-    root["$defs"] = {{"scene", scene_of(scene_properties())}};
-    return print_document(document("A state of Viewing Sandbox", root)) + "\n";
+    if (has_titles) root["properties"] = with_titles(root["properties"]);
+    definitions["scene"] = scene_form()(definitions);
+    return root;
+}
+
+}  // namespace
+
+Json state_definition(Json& definitions) {
+    const Json state = whole_state(definitions, true);
+    return form::defined(definitions, "state", state);
+}
+
+Json state_without_titles(Json& definitions) {
+    return whole_state(definitions, false);
+}
+
+Json field_schema(const Field& field) {
+    return described(field);
+}
+
+std::string state_schema() {
+    return form::document("A state of Viewing Sandbox",
+                          [](Json& definitions) { return whole_state(definitions, true); });
 }
 
 std::string scene_schema() {
-    return print_document(document("A scene of Viewing Sandbox", scene_of(with_titles(scene_properties())))) + "\n";
+    return form::document("A scene of Viewing Sandbox", [](Json& definitions) {
+        Json scene = scene_form()(definitions);
+        scene["properties"] = with_titles(scene["properties"]);
+        return scene;
+    });
 }
 
 }  // namespace viewing

@@ -78,7 +78,7 @@ TEST(LectureFile, AllMistakesAreFoundInOneRun) {
     const char* const parts[][2] = {
         {"parts[0].minutes", "1 to 600"},         {"parts[0].preset", "rom"},
         {"parts[1].steps[0]", "1 to 4"},          {"parts[1].steps[1]", "did you mean ray?"},
-        {"parts[2].minutes", "is missing"},       {"parts[2].ends", "did you mean end?"},
+        {"parts[2].ends", "did you mean end?"},   {"parts[2].minutes", "is missing"},
         {"parts[2].lesson", "did you mean lens?"}};
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_TRUE(all[i].starts_with(parts[i][0])) << all[i];

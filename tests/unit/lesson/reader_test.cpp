@@ -93,6 +93,24 @@ TEST(LessonReader, ReportsFaultsWithFileStepAndField) {
               std::string::npos);
 }
 
+TEST(LessonReader, AMistakeThatFollowsFromAnotherIsNotReported) {
+    const auto mistakes = [](const std::string& ask, const std::string& more = "") {
+        return lesson_mistakes(R"({"lesson": 1, "id": "a", "title": "A", "steps": [{"id": "one", "say": "x", )" + more +
+                                   "\"ask\": " + ask + R"(, "reveal": {"say": "y"}}]})",
+                               "a.json", "");
+    };
+    EXPECT_EQ(mistakes(R"({"kind": "order", "question": "q", "items": ["a", 1], "expect": [0, 1],
+                           "wrong": [{"value": [1, 0], "say": "w"}]})"),
+              (std::vector<std::string>{
+                  R"(a.json: step one: ask.items[1]: must be a string or {"en": …, "ko": …}, got the number 1)"}));
+    EXPECT_EQ(mistakes(R"({"kind": "number", "question": "q", "expect": "k"})", R"("let": {"and": 1}, )").size(), 1U);
+    const std::vector<std::string> two =
+        mistakes(R"({"kind": "numbr", "question": "", "expect": "k", "wrong": [{"say": "w"}]})");
+    ASSERT_EQ(two.size(), 2U) << two.front();
+    EXPECT_NE(two[0].find("ask.kind: must be one of"), std::string::npos) << two[0];
+    EXPECT_NE(two[1].find("ask.question: must not be empty"), std::string::npos) << two[1];
+}
+
 TEST(LessonReader, TruncatedFileNeverCrashes) {
     const std::string whole = small;
     for (std::size_t length = 0; length < whole.size(); length += 7)

@@ -82,8 +82,8 @@ TEST(Flight, ReportsMistakesByFileAndFrame) {
     EXPECT_EQ(trouble(first + R"({"t": 0.5, "set": {}})"),
               "f.json: frames[1].t: must be at least 1, the time of the previous frame, got 0.5");
     EXPECT_EQ(trouble(first + R"({"t": -1, "set": {}})").substr(0, 22), "f.json: frames[1].t: m");
-    EXPECT_EQ(trouble(R"({"set": {}})"), "f.json: frames[0].t: is missing");
-    EXPECT_EQ(trouble(R"({"t": 0})"), "f.json: frames[0].set: is missing");
+    EXPECT_EQ(trouble(R"({"set": {}})"), "f.json: frames[0].t: is missing: a number from 0 to 1e9");
+    EXPECT_EQ(trouble(R"({"t": 0})"), "f.json: frames[0].set: is missing: an object of paths and values");
     EXPECT_EQ(trouble(R"({"t": 0, "sett": {}})").substr(0, 37), "f.json: frames[0].sett: no such field");
     EXPECT_EQ(trouble(R"({"t": 0, "set": [3]})").substr(0, 30), "f.json: frames[0].set: must be");
     EXPECT_EQ(trouble(R"({"t": 0, "set": {"camera.yaw=3": 3}})").substr(0, 20), "f.json: frames[0].se");
