@@ -124,15 +124,15 @@ Form<const Json*> value(const std::string& what, const std::function<Json(Json& 
 // ---- objects -------------------------------------------------------------------------------------------------------
 
 bool Keys::knows(const std::string& key) const {
-    return std::any_of(keys_.begin(), keys_.end(), [&](const Key& known) { return known.name == key; });
+    return std::any_of(members.begin(), members.end(), [&](const Key& known) { return known.name == key; });
 }
 
 void Keys::check(const Json& object, const Where& where) const {
     std::vector<std::string> known;
-    for (const Key& key : keys_) known.push_back(key.name);
-    require_object(object, where, what_);
+    for (const Key& key : members) known.push_back(key.name);
+    require_object(object, where, kind);
     where.part([&] { require_keys(object, where, known); });
-    for (const Rule& rule : rules_) where.part([&] { rule.check(object, where); });
+    for (const Rule& rule : all_rules) where.part([&] { rule.check(object, where); });
 }
 
 const Json* Keys::found(const Json& object, const Key& key, const Where& where) {
@@ -143,11 +143,11 @@ const Json* Keys::found(const Json& object, const Key& key, const Where& where) 
 
 Json Keys::operator()(Json& definitions) const {
     Json properties = Json::object(), needed = Json::array(), rules = Json::array();
-    for (const Key& key : keys_) {
+    for (const Key& key : members) {
         properties[key.name] = key.schema(definitions);
         if (key.is_needed) needed.push_back(key.name);
     }
-    for (const Rule& rule : rules_) rules.push_back(rule.schema);
+    for (const Rule& rule : all_rules) rules.push_back(rule.schema);
     Json schema = object_of(std::move(properties));
     if (!needed.empty()) schema["required"] = std::move(needed);
     if (!rules.empty()) schema["allOf"] = std::move(rules);

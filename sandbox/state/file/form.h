@@ -170,7 +170,7 @@ Form<V> either(const std::string& what, const std::vector<Form<V>>& forms) {
 /// The keys of an object, and the rules about them.
 class Keys {
 public:
-    explicit Keys(std::string what) : what_(std::move(what)) {}
+    explicit Keys(std::string what) : kind(std::move(what)) {}
     /// Returns the schema.
     Json operator()(Json& definitions) const;
 
@@ -193,9 +193,9 @@ protected:
     static Rule one_of_keys(const Keyed& keys, bool is_needed);
     static Rule needed_by(const char* key, const char* needed);
 
-    std::string what_;  ///< completes "must be"
-    std::vector<Key> keys_;
-    std::vector<Rule> rules_;
+    std::string kind;  ///< completes "must be"
+    std::vector<Key> members;
+    std::vector<Rule> all_rules;
 };
 
 /// An object that is read into a T, member by member in the order in which they are added. `into` is a pointer to a
@@ -207,7 +207,7 @@ public:
     explicit Object(const std::string& what = "an object") : Keys(what) {}
     template <typename V, typename Into>
     Object& add(const char* key, const Form<V>& form, Into into, bool is_needed) {
-        keys_.push_back({key, form.what, is_needed, form.schema});
+        members.push_back({key, form.what, is_needed, form.schema});
         readers_.push_back([read = form.read, into](const Json& value, const Where& where, T& object) {
             if constexpr (std::is_invocable_v<Into, T&, V, const Where&>)
                 into(object, read(value, where), where);
@@ -267,8 +267,8 @@ public:
     /// All members of another object, which is part of this one: into(T&) returns a reference to it.
     template <typename U, typename Into>
     Object& with(const Object<U>& part, Into into) {
-        keys_.insert(keys_.end(), part.keys_.begin(), part.keys_.end());
-        rules_.insert(rules_.end(), part.rules_.begin(), part.rules_.end());
+        members.insert(members.end(), part.members.begin(), part.members.end());
+        all_rules.insert(all_rules.end(), part.all_rules.begin(), part.all_rules.end());
         for (const auto& reader : part.readers_)
             readers_.push_back([reader, into](const Json& value, const Where& where, T& object) {
                 reader(value, where, std::invoke(into, object));
@@ -278,12 +278,12 @@ public:
     Object& at_most_one(const Keyed& keys) { return rule(one_of_keys(keys, false)); }
     Object& exactly_one(const Keyed& keys) { return rule(one_of_keys(keys, true)); }
     Object& rule(Rule rule) {
-        rules_.push_back(std::move(rule));
+        all_rules.push_back(std::move(rule));
         return *this;
     }
     /// The keys are allowed only together with another.
     Object& need(const Keyed& keys, const char* needed) {
-        for (const char* const key : keys) rules_.push_back(needed_by(key, needed));
+        for (const char* const key : keys) all_rules.push_back(needed_by(key, needed));
         return *this;
     }
 
@@ -294,10 +294,10 @@ public:
     }
     /// Reads without checking the other keys.
     void read_members(T& object, const Json& value, const Where& where) const {
-        for (std::size_t i = 0; i < keys_.size(); ++i)
+        for (std::size_t i = 0; i < members.size(); ++i)
             where.part([&] {
-                const Json* const member = found(value, keys_[i], where);
-                if (member) readers_[i](*member, where.key(keys_[i].name), object);
+                const Json* const member = found(value, members[i], where);
+                if (member) readers_[i](*member, where.key(members[i].name), object);
             });
     }
     T read(const Json& value, const Where& where, T object = {}) const {
@@ -311,7 +311,7 @@ public:
         const auto read = [start, self = shared()](const Json& value, const Where& where) {
             return self->read(value, where, start ? start() : T{});
         };
-        return {what_, [=](const Json& value) { return value.is_object() && (key.empty() || value.contains(key)); },
+        return {kind, [=](const Json& value) { return value.is_object() && (key.empty() || value.contains(key)); },
                 read, unread().schema};
     }
 
@@ -322,7 +322,7 @@ private:
 
     std::shared_ptr<const Object> shared() const { return std::make_shared<const Object>(*this); }
     Form<const Json*> unread() const {
-        return value(what_, [self = shared()](Json& definitions) { return (*self)(definitions); });
+        return value(kind, [self = shared()](Json& definitions) { return (*self)(definitions); });
     }
 
     std::vector<Reader> readers_;
