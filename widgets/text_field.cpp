@@ -87,11 +87,8 @@ int CaretToEnd(ImGuiInputTextCallbackData* data) {
 }  // namespace
 
 bool TextField(const char* label, std::string& text, const char* hint, ImGuiInputTextFlags flags, bool* to_end) {
-    if (!to_end) return KeptField(label, [&] { return ImGui::InputTextWithHint(label, hint, &text, flags); });
-    return KeptField(label, [&] {
-        return ImGui::InputTextWithHint(label, hint, &text, flags | ImGuiInputTextFlags_CallbackAlways, CaretToEnd,
-                                        to_end);
-    });
+    if (to_end) flags |= ImGuiInputTextFlags_CallbackAlways;
+    return KeptField(label, [&] { return ImGui::InputTextWithHint(label, hint, &text, flags, CaretToEnd, to_end); });
 }
 
 bool EntryField(const char* label, std::string& value) {

@@ -78,17 +78,19 @@ LessonFile glance_at(const fs::path& path) {
     LessonFile file{path.stem().string(), {path.stem().string(), ""}, {}, 0, 0, path};
     const Result<std::string> text = read_text_file(path);
     if (!text) return file;
-    const auto glance = guarded([&] {
+    // The window begins with a list of all lessons, whose steps have the same forms.
+    static const form::Form<LessonText> question = text_form(false);
+    static const Object<LessonFile> glance = Object<LessonFile>()
+                                                 .optional("id", form::name(), &LessonFile::id)
+                                                 .optional("title", text_form(false), &LessonFile::title)
+                                                 .optional("group", group_form(), &LessonFile::group)
+                                                 .optional("slides", form::slides(), &LessonFile::slides)
+                                                 .optional("needs", names_form(), &LessonFile::needs)
+                                                 .optional("minutes", form::whole(1, 600), &LessonFile::minutes);
+    const auto read = guarded([&] {
         const Json document = parse_document(*text, "");
         const Where root{"", ""};
-        Object<LessonFile>()
-            .optional("id", form::name(), &LessonFile::id)
-            .optional("title", text_form(false), &LessonFile::title)
-            .optional("group", group_form(), &LessonFile::group)
-            .optional("slides", form::slides(), &LessonFile::slides)
-            .optional("needs", names_form(), &LessonFile::needs)
-            .optional("minutes", form::whole(1, 600), &LessonFile::minutes)
-            .read_members(file, document, root);
+        glance.read_members(file, document, root);
         if (has(document, "parts"))
             for (const Json& part : document["parts"])
                 if (has(part, "minutes")) file.minutes += read_whole(part["minutes"], root, 1, 600);
@@ -100,11 +102,11 @@ LessonFile glance_at(const fs::path& path) {
             LessonFile::Step& listed = file.listed_steps[i];
             if (has(step, "slides")) listed.slides = read_slides(step, root);
             if (has(step, "ask") && has(step["ask"], "question"))
-                listed.question = text_form(false).read(step["ask"]["question"], root);
+                listed.question = question.read(step["ask"]["question"], root);
         }
         return true;
     });
-    (void)glance;  // parts that cannot be read keep their defaults
+    (void)read;  // parts that cannot be read keep their defaults
     return file;
 }
 

@@ -121,12 +121,19 @@ void draw_camera_numbers(const Params& params, const Derived& derived, const Lin
 
 }  // namespace
 
+bool is_named(std::span<const std::string> names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_matrix(std::string_view name) {
+    return name != "follow" && name != "display";
+}
+
 PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow, bool has_mirror) {
-    const auto has = [listed](const char* name) {
-        return std::find(listed.begin(), listed.end(), name) != listed.end();
-    };
-    if (!has("S") && !has("R") && has("P")) return PointNumbers::camera;
-    if (!has("S") && !has("R") && has("V")) return PointNumbers::view;
+    if (!is_named(listed, "S") && !is_named(listed, "R")) {
+        if (is_named(listed, "P")) return PointNumbers::camera;
+        if (is_named(listed, "V")) return PointNumbers::view;
+    }
     if (has_shadow == has_mirror) return PointNumbers::plane;
     return has_shadow ? PointNumbers::shadow : PointNumbers::mirror;
 }

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "frame/derive.h"
 #include "session/session.h"
@@ -13,6 +14,11 @@ namespace viewing {
 /// The transformations of the point to show: the chosen plane's S and R, one of these, V alone, the camera's V and P,
 /// or all of them.
 enum class PointNumbers { plane, shadow, mirror, view, camera, both };
+
+/// Whether a list of names, such as those of the shown matrices, has this one.
+bool is_named(std::span<const std::string> names, std::string_view name);
+/// Whether the part of the matrix column is a matrix, not the followed point or the lecture's display().
+bool is_matrix(std::string_view name);
 
 /// Returns the transformations to show beside these matrices: those of the camera's matrices if S and R are not listed,
 /// otherwise those of the plane, without the shadow's or the mirror's if nothing draws it.

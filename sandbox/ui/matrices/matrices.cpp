@@ -20,10 +20,6 @@ namespace {
 
 using widgets::Role;
 
-bool is_named(std::span<const std::string> names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// The data of the column: the state, and the derived numbers now and before the latest edit.
 struct Column {
     Session& session;
@@ -275,10 +271,6 @@ bool folded_heading(std::size_t number) {
     matrix_heading(title.title, matrices_in_order[number], "", title.role, ImGui::GetContentRegionMax().x);
     ImGui::SetCursorPos(end);
     return is_clicked;
-}
-
-bool is_matrix(const std::string& name) {
-    return name != "follow" && name != "display";
 }
 
 /// Returns the transformations of the followed point to show in a list of matrices.

@@ -121,13 +121,9 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     }
     constexpr float endless = 1e6F;
     std::vector<StagePart> parts;
-    if (arrangement.maximized == ViewName::none) {
-        if (arrangement.stage.left)
-            parts.push_back(
-                {&layout.lower_left, arrangement.stage.least_left, endless, arrangement.stage.lowest_left, true});
-        if (arrangement.stage.right)
-            parts.push_back(
-                {&layout.lower_right, arrangement.stage.least_right, endless, arrangement.stage.lowest_right, true});
+    if (const StageViews& views = arrangement.stage; arrangement.maximized == ViewName::none) {
+        if (views.left) parts.push_back({&layout.lower_left, views.least_left, endless, views.lowest_left, true});
+        if (views.right) parts.push_back({&layout.lower_right, views.least_right, endless, views.lowest_right, true});
         layout.lower_in_column = !parts.empty();
     }
     const bool has_matrices =
@@ -150,11 +146,11 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
         hero_right = area.max.x - width - gap;
         fit = place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
     };
+    const float width_of_controls = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
     if (telling.control_rows > 0 && !arrangement.panel_folded) {
         const bool is_alone = parts.empty();
         const float height = height_of_controls(telling, 1.0F);
-        const float width = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
-        parts.push_back({&layout.panel, {width, height}, height, height, false});
+        parts.push_back({&layout.panel, {width_of_controls, height}, height, height, false});
         place();
         const bool has_picture = arrangement.maximized == ViewName::none || arrangement.maximized == ViewName::camera;
         const float with_symbols = std::floor((telling.short_matrices + telling.first_symbols) * scale);
@@ -169,7 +165,7 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     layout.column_fits = fit != Fit::cut;
     if (layout.panel_over_picture) {
         constexpr float alone = 250.0F;  // covers less of a picture that fills the stage
-        const float width = telling.has_vectors ? width_of_vectors : parts.empty() ? alone : arrangement.panel_width;
+        const float width = parts.empty() && !telling.has_vectors ? alone : width_of_controls;
         layout.panel = plate_over({area.min, {hero_right, area.max.y}}, telling, width, scale);
     }
     const Rect hero = rounded(area.min.x, area.min.y + layout.header_height, hero_right, area.max.y);

@@ -36,8 +36,7 @@ int rows_of(const std::vector<std::string>& controls) {
 }  // namespace
 
 bool is_folded(const Params& params, std::string_view column) {
-    const std::vector<std::string>& folded = params.view.layout.folded;
-    return std::find(folded.begin(), folded.end(), column) != folded.end();
+    return is_named(params.view.layout.folded, column);
 }
 
 void fold(Params& params, std::string_view column, bool folded) {
@@ -76,10 +75,9 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     telling.short_matrices = telling.tall_matrices = 4.0F;
     telling.first_symbols = 0.0F;
     for (const std::string& name : matrices) {
-        const bool is_matrix = name != "follow" && name != "display";
-        telling.short_matrices += is_matrix ? with_numbers : name == "follow" ? follow : display_code_height;
-        telling.tall_matrices += is_matrix ? with_symbols : name == "follow" ? follow : display_code_height;
-        if (is_matrix) telling.first_symbols = with_symbols - with_numbers;
+        telling.short_matrices += is_matrix(name) ? with_numbers : name == "follow" ? follow : display_code_height;
+        telling.tall_matrices += is_matrix(name) ? with_symbols : name == "follow" ? follow : display_code_height;
+        if (is_matrix(name)) telling.first_symbols = with_symbols - with_numbers;
     }
     telling.control_rows = rows_of(layout.controls);
     telling.has_vectors = std::any_of(layout.controls.begin(), layout.controls.end(), [](const std::string& path) {

@@ -53,10 +53,7 @@ Arrangement Workbench::arranged(const Session& session) const {
     if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
     if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
-    const auto has = [](const std::vector<std::string>& names, const char* name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (!controls.empty() && !has(controls, "camera.navigation") && has(stage.highlight, "lamps"))
+    if (!controls.empty() && !is_named(controls, "camera.navigation") && is_named(stage.highlight, "lamps"))
         now.telling.control_rows += rows_of_lamps;
     const auto shows_code = [&](ViewName view, Slot slot) {
         return now.maximized == view && topic_of(session.params, slot) == Topic::lecture_code;
