@@ -65,9 +65,16 @@ public:
         depth_ = plan(depth, derive(depth, scene, {layout.lower_right.size_px(), true}));
     }
 
+    /// Draws the windows twice, as a frame does: to take the input, and to show what came of it.
     void draw() {
+        const Pictures pictures{};
+        const StatusLine status{"OpenGL 3.3 core", "–", {}};
+        const WindowContent content{derived_, before_, plan_, problems_, pictures, status};
         ImGui::NewFrame();
-        workbench_.draw(session_, derived_, before_, plan_, problems_, {}, {"OpenGL 3.3 core", "–", {}}, {});
+        workbench_.draw(session_, content, {});
+        ImGui::EndFrame();
+        ImGui::NewFrame();
+        workbench_.show(session_, content, {});
         ImGui::Render();
     }
 
