@@ -60,17 +60,16 @@ Form<glm::dvec2> pair(const Field& field, const std::string& what) {
     return vector<glm::dvec2>(std::vector{form::number(whole_range(field))}, what);
 }
 
-Json null_or(Json schema) {
-    return {{"anyOf", Json::array({{{"type", "null"}}, std::move(schema)})}};
-}
-
 /// Null, or a value of the form, whose text already says so.
 template <typename V>
 Form<std::optional<V>> or_null(const Form<V>& form) {
     const auto read = [read = form.read](const Json& value, const Where& where) {
         return value.is_null() ? std::nullopt : std::optional<V>(read(value, where));
     };
-    return {form.what, {}, read, [schema = form.schema](Json& definitions) { return null_or(schema(definitions)); }};
+    const auto schema = [schema = form.schema](Json& definitions) {
+        return Json{{"anyOf", Json::array({{{"type", "null"}}, schema(definitions)})}};
+    };
+    return {form.what, {}, read, schema};
 }
 
 Form<std::optional<glm::dmat4>> matrix(const Field& field) {
@@ -111,11 +110,6 @@ void fix_vector(Vector& vector, const Vector& fallback, const Field& field) {
 
 void fix_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {
     for (int column = 0; matrix && column < 4; ++column) fix_vector((*matrix)[column], glm::dvec4(0.0), field);
-}
-
-/// Replaces a number in the gap above 0 with the nearer end of the gap.
-void fix_gap(double& value, double least_above_zero) {
-    if (value > 0.0 && value < least_above_zero) value = value < least_above_zero / 2.0 ? 0.0 : least_above_zero;
 }
 
 double between(double a, double b, double share, const Field& field) {
@@ -213,7 +207,8 @@ struct Kind<double*> : NumericKind {
     static Json write(const double* value) { return std::isinf(*value) ? Json(infinite) : Json(*value); }
     static void clamp(double* value, const double* fallback, const Field& field) {
         *value = fixed(*value, *fallback, field, 0);
-        fix_gap(*value, field.least_above_zero);
+        const double gap = field.least_above_zero;
+        if (*value > 0.0 && *value < gap) *value = *value < gap / 2.0 ? 0.0 : gap;
     }
     static void blend(const double* from, double* to, double share, const Field& field) {
         *to = between(*from, *to, share, field);
@@ -621,60 +616,53 @@ struct Kind<Settings*> : AnyKind {
     static Json write(const Settings* value) { return settings_as_json(value->all); }
 };
 
-/// Calls use(kind, ref) with the field's kind and a reference to its default.
+/// Calls use(kind, ref) with the kind of a field and the reference to its value.
 template <typename Use>
-auto of_kind(const Field& field, const Use& use) {
-    return std::visit([&](const auto& ref) { return use(Kind<std::decay_t<decltype(ref)>>(), ref); },
-                      default_ref(field));
-}
-/// Calls use(kind, ref) with the field's kind and a reference to its value.
-template <typename Use>
-auto of_kind(const Field& field, Params& params, std::size_t element, const Use& use) {
-    return std::visit([&](const auto& ref) { return use(Kind<std::decay_t<decltype(ref)>>(), ref); },
-                      field.in(params, element));
+auto of_kind(const FieldRef& field, const Use& use) {
+    return std::visit([&](const auto& ref) { return use(Kind<std::decay_t<decltype(ref)>>(), ref); }, field);
 }
 
 }  // namespace
 
 std::string_view type_name(const Field& field) {
-    return of_kind(field, [](auto kind, const auto&) { return kind.type; });
+    return of_kind(default_ref(field), [](auto kind, const auto&) { return kind.type; });
 }
 
 bool has_range(const Field& field) {
-    return of_kind(field, [](auto kind, const auto&) { return kind.has_range; });
+    return of_kind(default_ref(field), [](auto kind, const auto&) { return kind.has_range; });
 }
 
 std::vector<std::string> allowed_names(const Field& field) {
-    return of_kind(field, [&](auto kind, const auto&) { return kind.names(field); });
+    return of_kind(default_ref(field), [&](auto kind, const auto&) { return kind.names(field); });
 }
 
 std::string allowed_text(const Field& field) {
-    return of_kind(field, [&](auto kind, const auto&) { return kind.form(field).what; });
+    return of_kind(default_ref(field), [&](auto kind, const auto&) { return kind.form(field).what; });
 }
 
 Json value_schema(const Field& field) {
     Json none;
-    return of_kind(field, [&](auto kind, const auto&) { return kind.form(field).schema(none); });
+    return of_kind(default_ref(field), [&](auto kind, const auto&) { return kind.form(field).schema(none); });
 }
 
 void read_field(const Field& field, Params& params, const Json& value, const Where& where, std::size_t element) {
-    of_kind(field, params, element,
+    of_kind(field.in(params, element),
             [&](auto kind, const auto& to) { kind.assign(to, kind.form(field).read(value, where)); });
 }
 
 Json field_as_json(const Field& field, Params& params, std::size_t element) {
-    return of_kind(field, params, element, [](auto kind, const auto& value) { return kind.write(value); });
+    return of_kind(field.in(params, element), [](auto kind, const auto& value) { return kind.write(value); });
 }
 
 void clamp_field(const Field& field, Params& params, std::size_t element) {
     const FieldRef fallback = default_ref(field);
-    of_kind(field, params, element,
+    of_kind(field.in(params, element),
             [&]<typename Ref>(auto kind, const Ref& value) { kind.clamp(value, std::get<Ref>(fallback), field); });
 }
 
 void blend_field(const Field& field, Params& from, Params& to, double share, std::size_t element) {
     const FieldRef source = field.in(from, element);
-    of_kind(field, to, element,
+    of_kind(field.in(to, element),
             [&]<typename Ref>(auto kind, const Ref& value) { kind.blend(std::get<Ref>(source), value, share, field); });
 }
 
