@@ -141,7 +141,7 @@ constexpr double noticed_ms = 500.0;
 /// message's time on screen.
 void tell_standstill() {
     const double ms = take_standstill_ms();
-    Message& message = page->studio.session.message;
+    StatusMessage& message = page->studio.session.message;
     if (ms < noticed_ms || message.is_error) return;
     message = {
         say("This took {time} s, and the page froze: this browser cannot suspend WebAssembly. Chrome, Edge and Firefox "

@@ -71,7 +71,7 @@ inline std::vector<Problem> problems_of(const Params& params, const Scene& scene
 using Names = std::vector<std::string>;
 inline Names names_of_passes(const FramePlan& frame) {
     Names names;
-    for (const Pass& pass : frame.passes) names.push_back(pass.name);
+    for (const Pass& pass : frame.passes) names.push_back(say(pass.name));
     return names;
 }
 
@@ -181,7 +181,7 @@ inline std::set<std::string> differences(const FramePlan& a, const FramePlan& b)
         Pass& pass = changed.passes[index];
         for (const Member<Pass>& each : pass_members()) {
             if (each.is_same(pass, b.passes[index])) continue;
-            differing.insert(pass.name + "." + each.name);
+            differing.insert(say(pass.name) + "." + each.name);
             each.take(pass, b.passes[index]);
         }
     }
