@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "text/catalogue.h"
@@ -27,6 +28,8 @@ public:
     Message(std::string_view english, std::vector<Value> values);
 
     bool empty() const { return english_.empty(); }
+    /// Returns the placeholders' names and what replaces them in the current language.
+    std::vector<std::pair<std::string, std::string>> said_values() const;
     bool operator==(const Message& other) const;
 
 private:
@@ -36,10 +39,11 @@ private:
     std::vector<Value> values_;
 };
 
-/// A placeholder's name, and what replaces it: `text`, or else the message.
+/// A placeholder's name, and what replaces it: a text, the name of an object, or a list of messages.
 struct Message::Value {
     std::string name, text;
-    Message message;
+    std::vector<Message> list{};  ///< if not empty, instead of the text
+    bool is_object = false;
     bool operator==(const Value&) const = default;
 };
 
@@ -51,13 +55,19 @@ template <typename... Values>
 Message message(fmt::format_string<Values...> english, Values&&... values) {
     [[maybe_unused]] const auto value = []<typename T>(const char* name, const T& said) {
         if constexpr (std::is_same_v<T, Message>)
-            return Message::Value{name, "", said};
+            return Message::Value{name, "", {said}};
         else
-            return Message::Value{name, fmt::to_string(said), {}};
+            return Message::Value{name, fmt::to_string(said)};
     };
     const fmt::string_view id = english;
     return {std::string_view(id.data(), id.size()), {value(values.name, values.value)...}};
 }
+
+/// Returns the message that says object_text() of the name.
+Message object_message(std::string_view name);
+
+/// Returns the message "a, b"; an empty one if there are none.
+Message listed(const std::vector<Message>& messages);
 
 }  // namespace viewing
 

@@ -104,7 +104,7 @@ std::string told_text() {
                 lines.push_back(std::string(tr(file.title.c_str())) + ". " + tr(file.about.c_str()));
     }
     if (!hides_something())
-        for (const Problem& problem : studio.shown().problems) lines.push_back(problem.sentence);
+        for (const Problem& problem : studio.shown().problems) lines.push_back(say(problem.sentence));
     lines.push_back(studio.session.message.text);
     std::string text;
     for (const std::string& line : lines)

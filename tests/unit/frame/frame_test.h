@@ -77,7 +77,7 @@ inline Names names_of_passes(const FramePlan& frame) {
 
 inline bool says(const std::vector<Problem>& problems, std::string_view group, const std::string& words) {
     return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
-        return problem.group == group && problem.sentence.find(words) != std::string::npos;
+        return problem.group == group && say(problem.sentence).find(words) != std::string::npos;
     });
 }
 
