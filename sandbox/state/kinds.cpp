@@ -25,11 +25,8 @@ FieldRef default_ref(const Field& field) {
 
 // ---- forms of parts ------------------------------------------------------------------------------------------------
 
-Range whole_range(const Field& field) {
-    return {field.min, field.max};
-}
 std::string each_in_range(const Field& field) {
-    return "each " + range_text(whole_range(field));
+    return "each " + range_text(component_range(field, 0));
 }
 
 Form<int> whole(const Field& field) {
@@ -57,7 +54,7 @@ Form<Vector> components(const Field& field, const std::string& what) {
 
 /// Two numbers in the field's range.
 Form<glm::dvec2> pair(const Field& field, const std::string& what) {
-    return vector<glm::dvec2>(std::vector{form::number(whole_range(field))}, what);
+    return vector<glm::dvec2>(std::vector{form::number(component_range(field, 0))}, what);
 }
 
 /// Null, or a value of the form, whose text already says so.
@@ -186,7 +183,7 @@ template <>
 struct Kind<double*> : NumericKind {
     static constexpr std::string_view type = "number";
     static Form<double> form(const Field& field) {
-        const Range range = whole_range(field), above_zero{field.least_above_zero, field.max};
+        const Range range = component_range(field, 0), above_zero{field.least_above_zero, field.max};
         const bool has_gap = field.least_above_zero > 0.0, may_be_infinite = field.may_be_infinite;
         const std::string what =
             (has_gap ? "0 or a number " + range_text(above_zero) : "a number " + range_text(range)) +
@@ -239,7 +236,7 @@ template <>
 struct Kind<glm::dvec4*> : VectorKind<glm::dvec4> {
     static constexpr std::string_view type = "vec4";
     static Form<glm::dvec4> form(const Field& field) {
-        const std::string range = range_text(whole_range(field));
+        const std::string range = range_text(component_range(field, 0));
         const std::string what = field.is_light ? "four numbers [x, y, z, w], x, y and z " + range + ", w from 0 to 1"
                                                 : "four numbers [a, b, c, d], each " + range;
         return components<glm::dvec4>(field, what);
@@ -358,8 +355,7 @@ struct Kind<FurtherOverrides> : AnyKind {
     static Form<All> form(const Field& field) {
         const std::string what =
             "an array of {\"plane\", \"light\": whole numbers from 1, \"shadow_from_world\", \"mirror_from_world\": "
-            "null "
-            "or 4 rows of 4 numbers}";
+            "null or 4 rows of 4 numbers}";
         constexpr std::size_t most = most_planes * most_lights;
         const auto read = [=](const Json& value, const Where& where) {
             require_array(value, where, most, what);
@@ -437,7 +433,7 @@ struct Kind<std::optional<Follow>*> : AnyKind {
     static Form<std::optional<Follow>> form(const Field& field) {
         const std::string what = "null, {\"object\": name, \"vertex\": whole number} or {\"point\": [x, y, z]}";
         const Form<glm::dvec3> point =
-            form::vec3(whole_range(field), "three numbers [x, y, z], " + each_in_range(field));
+            form::vec3(component_range(field, 0), "three numbers [x, y, z], " + each_in_range(field));
         const Form<int> vertex = form::whole(0, 1'000'000'000);
         const auto read = [=](const Json& value, const Where& where) {
             static const std::vector<std::string> keys = {"object", "vertex", "point"};
@@ -520,7 +516,7 @@ template <>
 struct Kind<std::optional<Pin>*> : NumericKind {
     static constexpr std::string_view type = "pin";
     static Form<std::optional<Pin>> form(const Field& field) {
-        const std::string range = range_text(whole_range(field));
+        const std::string range = range_text(component_range(field, 0));
         const std::string what = "null, {\"object\": name, \"at\": [u, v]} or only one of the two, u and v " + range;
         const Form<std::optional<glm::dvec2>> at = or_null(pair(field, "two numbers [u, v], " + each_in_range(field)));
         const auto read = [=](const Json& value, const Where& where) {
