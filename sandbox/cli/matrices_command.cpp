@@ -49,7 +49,7 @@ std::string listed_as_text(const TypedMatrices& wish, const LookAt* look_at, con
     if (format == MatrixFormat::text && look_at) text += "\nlook_at: " + look_at_call(*look_at, LookAtCall::glu) + "\n";
     if (format == MatrixFormat::text && !problems.empty()) text += "\n";
     for (const Problem& problem : problems)
-        if (format == MatrixFormat::text) text += problem.sentence + "\n";
+        if (format == MatrixFormat::text) text += say(problem.sentence) + "\n";
     return text;
 }
 

@@ -103,7 +103,7 @@ Json growth_as_json(const LoadedState& state, const GrowthRequest& request, cons
                         {"pixels_painted", row.pixels_painted},
                         {"painting_ms", row.painting_ms},
                         {"build_ms", row.build_ms},
-                        {"problem", row.problem.empty() ? Json() : Json(row.problem)}});
+                        {"problem", row.problem.empty() ? Json() : Json(say(row.problem))}});
     const bool is_own = request.scene == GrowthScene::own_polygons;
     Json json{{"polygons", polygon_kinds[static_cast<std::size_t>(request.scene)]},
               {"scene", is_own ? Json(scene_name(state.params)) : Json()},

@@ -88,11 +88,11 @@ bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Pred
 }
 
 template <typename Predicate>
-std::string names_of(const Scene& scene, Predicate is_so) {
-    std::string names;
+Message names_of(const Scene& scene, Predicate is_so) {
+    std::vector<Message> names;
     for (const SceneObject& object : scene.objects)
-        if (is_so(object)) names += (names.empty() ? "" : ", ") + object_text(object.description.name);
-    return names;
+        if (is_so(object)) names.push_back(object_message(object.description.name));
+    return listed(names);
 }
 
 bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
@@ -266,13 +266,13 @@ bool is_in_view(const PlanePatch& patch, const glm::dmat4& clip_from_world) {
     return false;
 }
 
-std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit) {
-    if (is_clear_of(scene, form, limit)) return "";
+Message objects_at_most(const Scene& scene, const glm::dvec4& form, double limit) {
+    if (is_clear_of(scene, form, limit)) return {};
     return names_of(scene, [&](const SceneObject& object) { return is_at_most(object, form, limit); });
 }
 
-std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit) {
-    if (is_clear_of(scene, form, limit)) return "";
+Message objects_across(const Scene& scene, const glm::dvec4& form, double limit) {
+    if (is_clear_of(scene, form, limit)) return {};
     return names_of(scene, [&](const SceneObject& object) {
         return is_at_most(object, form, limit) && is_above(object, form, limit);
     });

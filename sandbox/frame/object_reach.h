@@ -9,6 +9,7 @@
 
 #include "frame/derive.h"
 #include "state/scene.h"
+#include "text/message.h"
 
 namespace viewing {
 
@@ -23,10 +24,10 @@ inline constexpr double standing = 1e-4;
 
 /// Returns the names ("box, ball") of the objects that have a vertex p with form · (p, 1) ≤ limit. This is fast if the
 /// scene's bounds rule out such a vertex; otherwise, it searches the BoxTree of each mesh.
-std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
+Message objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
 
 /// Returns the names of the objects that have such a vertex and also one with form · (p, 1) > limit.
-std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit);
+Message objects_across(const Scene& scene, const glm::dvec4& form, double limit);
 
 /// Returns whether any of at most 127 sampled vertices of an object is in the picture, between near and far.
 bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived);

@@ -48,12 +48,12 @@ bool is_hidden(const Level& level, std::size_t plane) {
 /// Adds passes that restore the mirror's stencil value, from which the next patch starts to count.
 void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     Pass clear = patch_mask(level, plane, {marked("Clear lights"), marked("Clear lights {plane}")},
-                            tr("clears this patch's record of missing lights"));
+                            message("clears this patch's record of missing lights"));
     clear.depth.test = false;
     clear.stencil = stencil_of_forgetting_lights(level, plane);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
     Pass back = patch_mask(level, plane, {marked("Unmark the patch"), marked("Unmark patch {plane}")},
-                           tr("decrements the stencil to the mirror's value"));
+                           message("decrements the stencil to the mirror's value"));
     back.depth.test = false;
     back.stencil = stencil_of_leaving(level, plane);
     passes.push_back(back);
@@ -148,15 +148,15 @@ int Level::region_of(std::size_t index) const {
     return params.shadow.own_stencil ? static_cast<int>(index) + 1 : 1;
 }
 
-std::string Level::placed(std::string name) const {
+Message Level::placed(const Message& name) const {
     if (is_real() || derived.planes.size() == 1) return name;
-    return say("{pass} in mirror {mirrors}", "pass"_a = name, "mirrors"_a = numbers_name(mirrors_met));
+    return message("{pass} in mirror {mirrors}", "pass"_a = name, "mirrors"_a = numbers_name(mirrors_met));
 }
 
-Pass Level::pass(std::string name, std::string reason, Subject subject) const {
+Pass Level::pass(const Message& name, const Message& reason, Subject subject) const {
     Pass made;
-    made.name = placed(std::move(name));
-    made.reason = std::move(reason);
+    made.name = placed(name);
+    made.reason = reason;
     made.subject = subject;
     made.is_mirror_image = !is_real();
     made.mirrors_met = mirrors_met;
@@ -180,29 +180,27 @@ Pass Level::pass(std::string name, std::string reason, Subject subject) const {
     return made;
 }
 
-Pass Level::patch_pass(const PatchName& name, std::string reason, std::size_t index) const {
-    const std::size_t number = index + 1;
-    const auto place = "plane"_a = number;
-    Pass made =
-        pass(derived.planes.size() == 1 ? tr(name.alone) : say_with(name.numbered, fmt::make_format_args(place)),
-             std::move(reason), Subject::patch);
+Pass Level::patch_pass(const PatchName& name, const Message& reason, std::size_t index) const {
+    Pass made = pass(derived.planes.size() == 1 ? message(fmt::runtime(name.alone))
+                                                : message(fmt::runtime(name.numbered), "plane"_a = index + 1),
+                     reason, Subject::patch);
     made.plane = index;
     made.has_gloss = plane(index).gloss;
     return made;
 }
 
 Pass objects_pass(const Level& level) {
-    if (level.is_real()) return level.pass(tr("Objects"), tr("draws the scene itself"), Subject::objects);
-    return level.pass(tr("Mirror image"), tr("draws the scene once more through R, as if the mirror were a window"),
-                      Subject::objects);
+    if (level.is_real()) return level.pass(message("Objects"), message("draws the scene itself"), Subject::objects);
+    return level.pass(message("Mirror image"),
+                      message("draws the scene once more through R, as if the mirror were a window"), Subject::objects);
 }
 
 Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends) {
     const ReflectionParams& reflection = level.params.reflection;
     Pass pass = level.patch_pass(
         {marked("Patch"), marked("Patch {plane}")},
-        blends ? tr("blends the plane over its mirror image and gives these pixels the plane's own depth")
-               : tr("draws the plane and marks it in the stencil buffer as a shadow receiver"),
+        blends ? message("blends the plane over its mirror image and gives these pixels the plane's own depth")
+               : message("draws the plane and marks it in the stencil buffer as a shadow receiver"),
         plane);
     pass.lights_world.clear();
     pass.lights.clear();

@@ -10,6 +10,7 @@
 #include "frame/derive.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/pass_states.h"
+#include "text/message.h"
 
 namespace viewing {
 
@@ -49,8 +50,8 @@ using ClipPlane = glm::dvec4;
 inline constexpr std::size_t most_clip_planes = 6;
 
 struct Pass {
-    std::string name;
-    std::string reason;  ///< one sentence: its purpose
+    Message name;
+    Message reason;  ///< one sentence: its purpose
     Subject subject = Subject::objects;
     std::size_t plane = 0;        ///< index in Derived::planes: the patch, or a shadow's receiver
     std::size_t light = 0;        ///< index in Derived::lights_world: the light whose shadow the pass draws
@@ -166,7 +167,7 @@ FramePlan plan(const Params& params, const Derived& derived, const HiddenPicture
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
 
 /// Returns a pass that draws the difference in FramePlan::hidden over the picture.
-Pass difference_pass(const char* reason);
+Pass difference_pass(const Message& reason);
 
 /// Sets the depth buffer's format, mapping, clear value and offsets, and the way in which it is shown: part of plan().
 void set_depth(FramePlan& frame, const Params& params, const Derived& derived);

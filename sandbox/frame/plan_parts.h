@@ -3,15 +3,13 @@
 #pragma once
 
 #include "frame/plan.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 
 /// Direction of the strongest ambient light.
 inline constexpr glm::dvec3 sky_scene{0.0, 1.0, 0.0};
 
-/// The two names of a pass over a patch: for a single plane, and for several planes. Both are translated when they are
-/// used.
+/// The two names of a pass over a patch: for a single plane, and for several planes.
 struct PatchName {
     const char *alone, *numbered;  ///< "Patch", "Patch {plane}"
 };
@@ -52,9 +50,9 @@ struct Level {
     int region_of(std::size_t index) const;                            ///< the stencil's low bits inside its patch
 
     /// Returns "Objects in mirror 2" for "Objects".
-    std::string placed(std::string name) const;
-    Pass pass(std::string name, std::string reason, Subject subject) const;
-    Pass patch_pass(const PatchName& name, std::string reason, std::size_t index) const;
+    Message placed(const Message& name) const;
+    Pass pass(const Message& name, const Message& reason, Subject subject) const;
+    Pass patch_pass(const PatchName& name, const Message& reason, std::size_t index) const;
 };
 
 // The stencil of each pass: plan_stencil.cpp.
@@ -102,7 +100,7 @@ void fill_picture(Pass& pass, double clip_z, double eye_distance);
 Pass objects_pass(const Level& level);
 
 /// Returns a pass that marks a patch in the stencil, without color or depth.
-Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, std::string reason);
+Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, const Message& reason);
 
 /// Returns the pass that draws the patch, lit by `lights`. With `blends`, the mirror image below shows through with the
 /// weight `reflectance`.

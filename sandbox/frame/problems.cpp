@@ -26,11 +26,11 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
             turned_away.push_back(plane);
     }
     const std::size_t lights = derived.lights_world.size();
-    const std::string light = light_name(index, lights);
+    const Message light = light_name(index, lights);
     if (!holding.empty()) {
-        const std::string where = planes_name(holding, planes.size());
-        const std::string parallel =
-            lights == 1 ? tr("the parallel light") : say("parallel light {light}", "light"_a = index + 1);
+        const Message where = planes_name(holding, planes.size());
+        const Message parallel =
+            lights == 1 ? message("the parallel light") : message("parallel light {light}", "light"_a = index + 1);
         const bool is_parallel = is_parallel_light(derived.lights_world[index]);
         tell(is_parallel,
              sentence("light.along_plane",
@@ -56,7 +56,7 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
                  "the light travels, enter its negative",
                  "direction"_a = figures_of({&at.x, 3}, 3)),
         "light.position=" + negated);
-    const std::string behind = planes_name(turned_away, planes.size());
+    const Message behind = planes_name(turned_away, planes.size());
     tell(lights == 1,
          sentence("light.behind_plane",
                   "{light} and the eye are on opposite sides of {planes}: this side of the patch is unlit and "
@@ -112,7 +112,7 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
         if (params.reflection.enabled && planes[plane].mirrors && planes[plane].eye_side == 0.0)
             edge_on.push_back(plane);
     if (!edge_on.empty()) {
-        const std::string where = planes_name(edge_on, planes.size());
+        const Message where = planes_name(edge_on, planes.size());
         const bool is_parallel = derived.eye_world.w == 0.0;
         tell(is_parallel,
              sentence("plane.edge_on",

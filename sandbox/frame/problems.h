@@ -4,7 +4,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "frame/plan.h"
@@ -16,18 +15,15 @@ namespace viewing {
 /// or the window shows only a part of it.
 enum class ProblemKind { wrong, worth_knowing, about_window };
 
-/// The values that fill a sentence's placeholders, as the sentence writes them: ("z", "12.5").
-using SaidValues = std::vector<std::pair<std::string, std::string>>;
-
 /// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), with which the
 /// sentence is shown.
 struct Problem {
-    std::string sentence;
+    Message sentence;
     std::string_view group;
     ProblemKind kind = ProblemKind::worth_knowing;
     std::string fixed_by = "";  ///< the setting that fixes it, as on the command line; "" if none
     std::string_view id = "";   ///< names the problem for scripts: "depth.test_off"; the same in every language
-    SaidValues values{};
+    bool operator==(const Problem&) const = default;
 };
 
 /// Returns all problems. `frame` is the camera's frame: plan() of the same parameters and numbers.

@@ -7,19 +7,19 @@ namespace viewing {
 void Sayer::add(bool is_so, Sentence said, ProblemKind kind, std::string_view fixed_by) {
     if (!is_so) return;
     const bool is_field = !fixed_by.empty() && fixed_by.find('=') == std::string_view::npos;
-    problems_.push_back({std::move(said.text), group_, kind,
-                         is_field ? default_setting(fixed_by) : std::string(fixed_by), said.id,
-                         std::move(said.values)});
+    problems_.push_back(
+        {std::move(said.message), group_, kind, is_field ? default_setting(fixed_by) : std::string(fixed_by), said.id});
 }
 
-std::string light_name(std::size_t light, std::size_t count) {
-    return count == 1 ? tr("the light") : say("light {light}", "light"_a = light + 1);
+Message light_name(std::size_t light, std::size_t count) {
+    return count == 1 ? message("the light") : message("light {light}", "light"_a = light + 1);
 }
 
-std::string planes_name(std::span<const std::size_t> planes, std::size_t count) {
-    if (count == 1) return tr("the plane");
-    return say_count(static_cast<std::int64_t>(planes.size()), "plane {planes}", "planes {planes}",
-                     "planes"_a = numbers_name(planes));
+Message planes_name(std::span<const std::size_t> planes, std::size_t count) {
+    if (count == 1) return message("the plane");
+    const std::string numbers = numbers_name(planes);
+    return planes.size() == 1 ? message("plane {planes}", "planes"_a = numbers)
+                              : message("planes {planes}", "planes"_a = numbers);
 }
 
 std::string numbers_name(std::span<const std::size_t> indices) {

@@ -2,26 +2,24 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "frame/problems.h"
-#include "text/catalogue.h"
+#include "text/message.h"
 
 namespace viewing {
 
 /// A problem's sentence. The singular and the plural of a sentence share an id.
 struct Sentence {
     std::string_view id;
-    std::string text;
-    SaidValues values{};
+    Message message;
 };
 
-/// Fills the template as say() does. The id is part of the program's output: never change or reuse one.
+/// Makes the message as message() does. The id is part of the program's output: never change or reuse one.
 template <typename... Values>
 Sentence sentence(std::string_view id, fmt::format_string<Values...> english, Values&&... values) {
-    return {id, say_with(english, fmt::make_format_args(values...)), {{values.name, fmt::to_string(values.value)}...}};
+    return {id, message(english, std::forward<Values>(values)...)};
 }
 
 /// Adds problems that concern one group of fields.
@@ -54,9 +52,9 @@ private:
 // number.
 
 /// Returns "the light" or "light 2".
-std::string light_name(std::size_t light, std::size_t count);
+Message light_name(std::size_t light, std::size_t count);
 /// Returns "the plane", "plane 2" or "planes 2, 3".
-std::string planes_name(std::span<const std::size_t> planes, std::size_t count);
+Message planes_name(std::span<const std::size_t> planes, std::size_t count);
 /// Returns "2, 3".
 std::string numbers_name(std::span<const std::size_t> indices);
 

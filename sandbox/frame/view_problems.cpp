@@ -106,7 +106,7 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
         if (object.description.shape != ShapeKind::mesh || mesh.positions.empty() ||
             !is_in_view(object, params, derived))
             continue;
-        const std::string name = object_text(object.description.name);
+        const Message name = object_message(object.description.name);
         if (const double times = times_of_most(object, params, derived); times > 1.0) {
             tell(true,
                  sentence("view.stray_vertices",
@@ -127,38 +127,37 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
 void say_cut(std::vector<Problem>& problems, const Params& params, const std::vector<SeenThing>& seen) {
     constexpr double rounding = 1e-6;
     const double near = params.projection.near, far = params.projection.far;
-    std::vector<std::string> before, beyond;
+    std::vector<Message> before, beyond;
     double nearest = near, farthest = far;
     for (const SeenThing& thing : seen) {
-        if (thing.nearest < near - rounding * std::abs(near)) before.push_back(object_text(thing.name));
-        if (thing.farthest > far * (1.0 + rounding)) beyond.push_back(object_text(thing.name));
+        const Message name = thing.is_plane ? message("the plane") : object_message(thing.name);
+        if (thing.nearest < near - rounding * std::abs(near)) before.push_back(name);
+        if (thing.farthest > far * (1.0 + rounding)) beyond.push_back(name);
         nearest = std::min(nearest, thing.nearest);
         farthest = std::max(farthest, thing.farthest);
     }
     Sayer tell(problems, group);
     const std::optional<double> nearer = largest_near(seen);
-    tell.broken(
-        !before.empty() && nearer,
-        sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at z = {z}",
-                 "near"_a = figures(near, 3), "objects"_a = viewing::joined(before), "z"_a = figures(nearest, 3)),
-        nearer ? "projection.near=" + plain_number(*nearer) : "");
+    tell.broken(!before.empty() && nearer,
+                sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at z = {z}",
+                         "near"_a = figures(near, 3), "objects"_a = listed(before), "z"_a = figures(nearest, 3)),
+                nearer ? "projection.near=" + plain_number(*nearer) : "");
     tell(!before.empty() && !nearer,
          sentence("view.near_cuts", "near = {near} cuts into {objects}: no gap is left in front of the eye",
-                  "near"_a = figures(near, 3), "objects"_a = viewing::joined(before)));
-    tell.broken(
-        !beyond.empty(),
-        sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at z = {z}",
-                 "far"_a = figures(far, 3), "objects"_a = viewing::joined(beyond), "z"_a = figures(farthest, 3)),
-        "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
+                  "near"_a = figures(near, 3), "objects"_a = listed(before)));
+    tell.broken(!beyond.empty(),
+                sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at z = {z}",
+                         "far"_a = figures(far, 3), "objects"_a = listed(beyond), "z"_a = figures(farthest, 3)),
+                "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }
 
 /// Reports images that far cuts off: they are as far behind the mirror as their objects are in front of it.
 void say_far(std::vector<Problem>& problems, const Params& params, const std::vector<SeenImage>& images) {
-    std::vector<std::string> names;
+    std::vector<Message> names;
     double farthest = 0.0;
     for (const SeenImage& image : images) {
         if (!image.is_cut_off) continue;
-        names.push_back(object_text(image.name));
+        names.push_back(object_message(image.name));
         farthest = std::max(farthest, image.farthest);
     }
     // An R filled by rows changes w, so that far may cut off what is nearer.
@@ -167,7 +166,7 @@ void say_far(std::vector<Problem>& problems, const Params& params, const std::ve
         .broken(true,
                 sentence("view.image_beyond_far",
                          "far = {far} cuts off the mirror image of {objects}, which reaches to z = {z}",
-                         "far"_a = figures(params.projection.far, 3), "objects"_a = viewing::joined(names),
+                         "far"_a = figures(params.projection.far, 3), "objects"_a = listed(names),
                          "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }

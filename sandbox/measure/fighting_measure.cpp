@@ -20,7 +20,7 @@ public:
         objects_ = with_ids(result_->image, solver_.surface()->object_of_source());
     }
 
-    const std::string& problem() const { return result_->problem; }
+    const Message& problem() const { return result_->problem; }
     const IdImage& objects() const { return objects_; }
 
     /// Rays cannot decide which of two coincident objects is visible, so choose the one that is meant to be on top.
@@ -108,7 +108,7 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
     const Params params = counted_params(state);
     const glm::ivec2 size_px(drawn.width, drawn.height);
     ExactVisibility exact(params, derive(params, scene, {size_px}), scene, size_px, progress);
-    if (!exact.problem().empty()) return Error{exact.problem()};
+    if (!exact.problem().empty()) return Error{say(exact.problem())};
 
     for (const FlatPair& pair : pairs)
         if (pair.offset == 0.0) exact.decide_between(pair);

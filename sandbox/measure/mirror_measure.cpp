@@ -74,7 +74,7 @@ std::vector<std::uint8_t> differing(const Image& reference, const Image& picture
 void show_difference(FramePlan& frame, std::span<const std::uint8_t> differs, glm::ivec2 size_px) {
     frame.hidden.difference = std::make_shared<const DifferenceDrawing>(difference_drawing(differs, size_px));
     frame.passes.push_back(
-        difference_pass(tr("red where the picture differs from the first method's, dimmed elsewhere")));
+        difference_pass(message("red where the picture differs from the first method's, dimmed elsewhere")));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::string as_text(const Color& color) {
 
 Json as_json(const std::vector<Problem>& problems) {
     Json sentences = Json::array();
-    for (const Problem& problem : problems) sentences.push_back(problem.sentence);
+    for (const Problem& problem : problems) sentences.push_back(say(problem.sentence));
     return sentences;
 }
 
@@ -41,14 +41,14 @@ Json details_of(const std::vector<Problem>& problems) {
     Json details = Json::array();
     for (const Problem& problem : problems) {
         Json values = Json::object();
-        for (const auto& [name, text] : problem.values) {
+        for (const auto& [name, text] : problem.sentence.said_values()) {
             const std::optional<double> number = read_figures(text);
             values[name] = number ? Json(*number) : Json(text);
         }
         details.push_back({{"id", problem.id},
                            {"kind", kinds[static_cast<std::size_t>(problem.kind)]},
                            {"values", std::move(values)},
-                           {"say", problem.sentence},
+                           {"say", say(problem.sentence)},
                            {"fix", problem.fixed_by.empty() ? Json() : Json(problem.fixed_by)}});
     }
     return details;

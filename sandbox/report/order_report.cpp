@@ -89,7 +89,7 @@ Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::iv
     const SceneSurface surface = surface_of(scene);
     const BspTree tree = build_bsp(surface.polygons, {.splitter = params.visibility.splitter,
                                                       .epsilon = params.visibility.epsilon * surface.diagonal});
-    if (!tree.problem.empty()) return Error{tree.problem};
+    if (!tree.problem.empty()) return Error{say(tree.problem)};
     const Viewpoint viewpoint = hidden_request(params, derive(params, scene, Viewport{size_px}), size_px).viewpoint;
     Json order = Json::array();
     for (const BspVisit& visit : walk_bsp(tree, viewpoint.eye_world(), BspOrder::back_to_front).visits)

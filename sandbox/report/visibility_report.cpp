@@ -119,7 +119,7 @@ private:
                  {"build_ms", has_build(method) ? Json(result->build_ms) : Json()}};
         row.update(counters_as_json(result->counters));
         row["wrong_pixels"] = wrong_pixels(*result);
-        row["problem"] = result->problem.empty() ? Json() : Json(result->problem);
+        row["problem"] = result->problem.empty() ? Json() : Json(say(result->problem));
         return row;
     }
 

@@ -24,7 +24,7 @@ struct OutsideFile {
 };
 
 /// A message for the status bar: about a success, or about an error.
-struct Message {
+struct StatusMessage {
     std::string text;
     bool is_error = false;
     double shown_s = 0.0;   ///< success messages disappear after a while
@@ -45,7 +45,7 @@ public:
     ~Session();
 
     Params params;
-    Message message;
+    StatusMessage message;
 
     /// Shows a failure as the message.
     void report(const Status& status) {

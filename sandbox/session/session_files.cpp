@@ -176,7 +176,7 @@ void Session::answer(bool may_read) {
 void Session::take_written() {
     const std::optional<Result<std::monostate>> written = writing_.take();
     if (!written) return;
-    message = *written ? Message{written_, false} : Message{written->error(), true};
+    message = *written ? StatusMessage{written_, false} : StatusMessage{written->error(), true};
     outcome_ = *written;
 }
 

@@ -58,7 +58,10 @@ FieldRef field_ref(T& value) {
 constexpr double position_limit = 1e6;
 constexpr double turns_limit_deg = 3600.0;
 constexpr double offset_limit = 1e6;
-constexpr double window_limit = 1e6;
+
+constexpr int sample_counts[] = {0, 4};
+constexpr const char* matrix_names[] = {"S", "R", "follow", "V", "C", "P", "display"};
+constexpr const char* column_names[] = {"panel", "matrices"};
 
 constexpr std::string_view length = "world units";
 constexpr std::string_view degrees = "°";
@@ -67,6 +70,8 @@ constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z
 constexpr std::string_view window_call = "glFrustum | glOrtho";
 constexpr std::string_view shadow_formula = "S = (Π·L) I − L Πᵀ";
 constexpr std::string_view mirror_formula = "R p = p − 2 (n·p + d) n, |n| = 1";
+
+using enum Idle;
 
 const Field all_fields[] = {
     {.path = "version",
@@ -144,6 +149,7 @@ const Field all_fields[] = {
     {.path = "projection.type",
      .place = IN(projection.type),
      .label = "projection",
+     .idle = {p_by_hand},
      .help = "Perspective makes distant objects small; orthographic keeps parallel lines parallel and sizes the same "
              "at every distance. A frustum and an orthographic window take the picture's four edges as glFrustum and "
              "glOrtho do: they need not be centered on the view axis, and they fill the view whatever its shape.",
@@ -155,6 +161,7 @@ const Field all_fields[] = {
      .min = 1,
      .max = 179,
      .step = 0.5,
+     .idle = {p_by_hand, orthographic, has_window},
      .help =
          "The full vertical field of view of the perspective projection. GLM takes it in radians: glm::radians(fovy).",
      .formula = "P₂₂ = 1 / tan(fovy / 2)",
@@ -167,6 +174,7 @@ const Field all_fields[] = {
      .max = 1e4,
      .step = 0.05,
      .logarithmic = true,
+     .idle = {p_by_hand, not_orthographic, has_window},
      .help = "The full vertical size of the orthographic view; the width follows from the aspect ratio.",
      .formula = "P₂₂ = 2 / height",
      .gl_call = "glm::ortho"},
@@ -178,6 +186,7 @@ const Field all_fields[] = {
      .max = 1e6,
      .step = 0.01,
      .logarithmic = true,
+     .idle = {p_by_hand},
      .help =
          "Distance of the near plane: everything closer is clipped. In perspective with standard depth, this distance "
          "decides the precision: a tenth of the distance makes the depth steps far away ten times as wide. Perspective "
@@ -193,6 +202,7 @@ const Field all_fields[] = {
      .step = 0.1,
      .logarithmic = true,
      .may_be_infinite = true,
+     .idle = {p_by_hand},
      .help = "Distance of the far plane: everything beyond is clipped. In perspective, it hardly affects depth "
              "precision; the near plane does. Unless depth is logarithmic, it may be infinite in perspective and in a "
              "frustum: then nothing is too far, and with standard depth, P's third row is 0, 0, −1, −2n.",
@@ -206,6 +216,7 @@ const Field all_fields[] = {
      .max = 10,
      .step = 0.01,
      .least_above_zero = min_aspect,
+     .idle = {p_by_hand, has_window},
      .help = "The aspect ratio (width ÷ height) that the projection assumes; 0 uses the view's own. With another "
              "value, GL stretches the picture to the view: perspective(45, 1, …) is right only in a square window.",
      .formula = "P₁₁ = P₂₂ / aspect",
@@ -217,6 +228,7 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
+     .idle = {p_by_hand, no_window},
      .help = "The left edge of the picture, measured to the right of the view axis: at the near plane in a frustum, at "
              "every distance in an orthographic window. Must be less than right.",
      .formula = "P₁₁ = 2n / (r − l), P₁₃ = (r + l) / (r − l)",
@@ -228,6 +240,7 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
+     .idle = {p_by_hand, no_window},
      .help = "The right edge of the picture, measured to the right of the view axis, at the same distance as left. If "
              "left and right are not opposite numbers, the view axis does not meet the middle of the picture.",
      .formula = "P₁₁ = 2n / (r − l), P₁₃ = (r + l) / (r − l)",
@@ -239,6 +252,7 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
+     .idle = {p_by_hand, no_window},
      .help = "The lower edge of the picture, measured upward from the view axis, at the same distance as left. Must be "
              "less than top.",
      .formula = "P₂₂ = 2n / (t − b), P₂₃ = (t + b) / (t − b)",
@@ -250,6 +264,7 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
+     .idle = {p_by_hand, no_window},
      .help = "The upper edge of the picture, measured upward from the view axis, at the same distance as left.",
      .formula = "P₂₂ = 2n / (t − b), P₂₃ = (t + b) / (t − b)",
      .gl_call = window_call},
@@ -258,30 +273,35 @@ const Field all_fields[] = {
     {.path = "depth.buffer",
      .place = IN(depth.buffer),
      .label = "depth buffer",
+     .idle = {no_gl_depth_test},
      .help = "Requests a depth buffer for the window. Without one there is nothing to compare with: whatever the "
              "settings, the depth test always passes and the last fragment drawn wins.",
      .gl_call = "glutInitDisplayMode(… | GLUT_DEPTH)"},
     {.path = "depth.test",
      .place = IN(depth.test),
      .label = "depth test",
+     .idle = {no_gl_depth_test, no_depth_buffer},
      .help = "Compares each new fragment with the depth buffer. When off, the last fragment drawn wins, and no depth "
              "is written either.",
      .gl_call = "glEnable(GL_DEPTH_TEST)"},
     {.path = "depth.func",
      .place = IN(depth.func),
      .label = "depth function",
+     .idle = {no_gl_depth_test, no_depth_buffer, no_depth_test},
      .help = "The comparison that a new depth must pass against the stored one. ALWAYS is not the same as no test: it "
              "still writes depth. With reversed depth, the program swaps less and greater.",
      .gl_call = "glDepthFunc"},
     {.path = "depth.write",
      .place = IN(depth.write),
      .label = "depth mask",
+     .idle = {no_gl_depth_test, no_depth_buffer, no_depth_test},
      .help = "Lets fragments that pass write their depth. When off, objects are tested but hide nothing that is drawn "
              "later.",
      .gl_call = "glDepthMask"},
     {.path = "depth.clear",
      .place = IN(depth.clear),
      .label = "clear depth",
+     .idle = {no_gl_depth_test, no_depth_buffer},
      .help = "Clears the depth buffer at the start of every frame. Otherwise, depths from earlier frames keep hiding "
              "new fragments.",
      .gl_call = "glClear(GL_DEPTH_BUFFER_BIT)"},
@@ -306,6 +326,7 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
+     .idle = {no_decals, no_decal_offset},
      .help = "Polygon offset of objects marked as decals, as a multiple of the polygon's steepest depth slope m. A "
              "negative value pulls decals toward the eye.",
      .formula = "offset = factor · m + units · r",
@@ -316,6 +337,7 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
+     .idle = {no_decals, no_decal_offset},
      .help = "Polygon offset of objects marked as decals, in the smallest steps r that the depth buffer can resolve. "
              "With too little, decals are stippled; with too much, they bleed through nearer surfaces.",
      .formula = "offset = factor · m + units · r",
@@ -323,6 +345,7 @@ const Field all_fields[] = {
     {.path = "depth.decals",
      .place = IN(depth.decals),
      .label = "decals by",
+     .idle = {no_decals},
      .help = "How objects marked as decals are kept from fighting with the surface below: by a polygon offset; by "
              "drawing them last where depth is EQUAL, which needs identical triangles; or by a stencil mark on the "
              "surface below, with no depth test at all.",
@@ -333,6 +356,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
+     .idle = {no_gl_depth_test, no_depth_buffer, no_depth_clear},
      .help =
          "The depth that every pixel starts with: 1 is the farthest, so that every surface is nearer. With 0, nothing "
          "is nearer, and nothing is drawn. Reversed depth is cleared to 1 minus this value.",
@@ -340,30 +364,35 @@ const Field all_fields[] = {
     {.path = "depth.write_while_clearing",
      .place = IN(depth.write_while_clearing),
      .label = "mask on while clearing",
+     .idle = {no_depth_buffer, no_depth_clear},
      .help = "glClear obeys the depth mask. When off, glClear is called with the mask off and clears no depth: new "
              "fragments are tested against depths from the previous frame.",
      .gl_call = "glDepthMask(GL_TRUE); glClear(GL_DEPTH_BUFFER_BIT)"},
     {.path = "depth.reversed_zero_to_one",
      .place = IN(depth.reversed_zero_to_one),
      .label = "clip range 0 to 1",
+     .idle = {not_reversed},
      .help = "Reversed depth pays off only if z in clip space goes from 0 to 1. When off, z goes from −1 to 1, and "
              "halving it and adding a half rounds away the precision that a float has near 0.",
      .gl_call = "glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)"},
     {.path = "depth.reversed_clear",
      .place = IN(depth.reversed_clear),
      .label = "clear to 0",
+     .idle = {no_depth_buffer, not_reversed, no_depth_clear},
      .help = "Reversed depth is 0 at the far plane, so the buffer is cleared to 0. When off, it is cleared to 1 as "
              "usual: nothing is greater than 1, so nothing is drawn.",
      .gl_call = "glClearDepth(0)"},
     {.path = "depth.reversed_offset",
      .place = IN(depth.reversed_offset),
      .label = "flip the offset's sign",
+     .idle = {not_reversed},
      .help = "With reversed depth, nearer means greater, so both signs of a polygon offset flip. When off, the signs "
              "do not flip, and surfaces are pushed away from the eye instead of pulled toward it.",
      .gl_call = "glPolygonOffset(−factor, −units)"},
     {.path = "depth.logarithm_per_vertex",
      .place = IN(depth.logarithm_per_vertex),
      .label = "per vertex",
+     .idle = {not_logarithmic},
      .help = "Computes the logarithm in the vertex shader and lets GL interpolate it. Cheaper, but wrong inside large "
              "triangles: between vertices, the depth is too large, or too small in an orthographic view.",
      .formula = "z_clip = (2 ln(w/n)/ln(f/n) − 1) · w",
@@ -377,6 +406,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.001,
+     .idle = {no_pairs},
      .help = "Distance from the back quad to the front quad of each pair in the scene `coplanar`, along their normal."},
     {.path = "coplanar.tilt",
      .place = IN(coplanar.tilt),
@@ -385,6 +415,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 85,
      .step = 0.5,
+     .idle = {no_pairs},
      .help = "Angle by which the pairs of the scene `coplanar` are rotated out of the picture plane. The larger the "
              "angle, the more depth codes each quad spans and the narrower the stripes."},
     {.path = "coplanar.distance",
@@ -395,6 +426,7 @@ const Field all_fields[] = {
      .max = 1000,
      .step = 0.1,
      .logarithmic = true,
+     .idle = {no_pairs},
      .help = "Distance from the eye to the nearest pair of the scene `coplanar`. All pairs move and grow in "
              "proportion, so only the depth fighting in the picture changes."},
 
@@ -408,12 +440,14 @@ const Field all_fields[] = {
     {.path = "cull.face",
      .place = IN(cull.face),
      .label = "culled side",
+     .idle = {no_culling},
      .help = "The side to cull. BACK is the usual choice; FRONT shows objects from inside. Shadows are the same either "
              "way.",
      .gl_call = "glCullFace"},
     {.path = "cull.front_face",
      .place = IN(cull.front_face),
      .label = "front face",
+     .idle = {no_facing},
      .help = "The winding on screen that counts as front-facing: counterclockwise (CCW), the winding of the objects as "
              "built, or clockwise (CW), which turns them inside out.",
      .gl_call = "glFrontFace"},
@@ -426,6 +460,7 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
+     .is_light = true,
      .help = "The light ℓ = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light from the "
              "direction (x, y, z). With w in between, the light lies at (x, y, z) ÷ w.",
      .formula = shadow_formula},
@@ -457,10 +492,12 @@ const Field all_fields[] = {
     {.path = "plane.receives_shadow",
      .place = IN(planes[element].receives_shadow),
      .label = "receives shadows",
+     .idle = {no_shadow},
      .help = "Shadows fall on this plane."},
     {.path = "plane.mirrors",
      .place = IN(planes[element].mirrors),
      .label = "mirrors",
+     .idle = {no_reflection},
      .help = "This plane mirrors the scene."},
     {.path = "plane.gloss",
      .place = IN(planes[element].gloss),
@@ -477,11 +514,13 @@ const Field all_fields[] = {
     {.path = "shadow.enabled",
      .place = IN(shadow.enabled),
      .label = "shadow",
+     .idle = {no_receiver},
      .help = "Draws every object a second time, flattened onto the plane by S.",
      .formula = shadow_formula},
     {.path = "shadow.color",
      .place = IN(shadow.color),
      .label = "shadow color",
+     .idle = {no_shadow, no_receiver, missing_light},
      .help = "The color of the flattened objects."},
     {.path = "shadow.opacity",
      .place = IN(shadow.opacity),
@@ -489,30 +528,35 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
+     .idle = {no_shadow, no_receiver, missing_light},
      .help = "How much of the shadow's color replaces the color of the surface below: 0 none, 1 all.",
      .formula = "color = opacity · shadow + (1 − opacity) · plane",
      .gl_call = "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"},
     {.path = "shadow.stencil_once",
      .place = IN(shadow.stencil_once),
      .label = "stencil once",
+     .idle = {no_shadow, no_receiver},
      .help = "Darkens each pixel only once. When off, a pixel covered by several flattened polygons is blended several "
              "times and gets darker.",
      .gl_call = "glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT)"},
     {.path = "shadow.clip_to_receiver",
      .place = IN(shadow.clip_to_receiver),
      .label = "clip to receiver",
+     .idle = {no_shadow, no_receiver},
      .help = "Keeps the shadow inside the patch by its stencil mark. When off, the shadow hangs in the air beyond the "
              "floor's edge.",
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "shadow.clip_casters",
      .place = IN(shadow.clip_casters),
      .label = "clip casters",
+     .idle = {no_shadow, no_receiver},
      .help = "Only parts that are between the light and the plane can cast a shadow. When off, objects behind the "
              "plane cast a false shadow.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.offset",
      .place = IN(shadow.offset),
      .label = "shadow offset",
+     .idle = {no_shadow, no_receiver, missing_light},
      .help = "How the shadow is kept from fighting with its plane: not at all, by a polygon offset in depth, by "
              "lifting it along the normal, or by drawing it without the depth test.",
      .gl_call = "glPolygonOffset | glDisable(GL_DEPTH_TEST)"},
@@ -522,6 +566,7 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
+     .idle = {no_shadow, no_receiver, missing_light, no_shadow_offset},
      .help = "The slope part of the shadow's polygon offset. Negative pulls the shadow toward the eye.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
@@ -531,6 +576,7 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
+     .idle = {no_shadow, no_receiver, missing_light, no_shadow_offset},
      .help = "The constant part of the shadow's polygon offset, in the smallest steps of the depth buffer.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
@@ -541,16 +587,19 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.001,
+     .idle = {no_shadow, no_receiver, missing_light, no_lift},
      .help = "Height of the shadow above the plane, on the eye's side, when the offset is \"lift\". At a grazing "
              "angle, the shadow separates from its object."},
     {.path = "shadow.style",
      .place = IN(shadow.style),
      .label = "style",
+     .idle = {no_shadow, no_receiver},
      .help = "With blend, the shadow's color is painted over the plane. With missing_light, this light's contribution "
              "is left out, so that highlights vanish in the shadow and textures stay."},
     {.path = "shadow.clip_at_light",
      .place = IN(shadow.clip_at_light),
      .label = "clip at the light",
+     .idle = {no_shadow, no_receiver},
      .help = "Parts beyond the light cast no shadow: each triangle is clipped to w > 0. When off, triangles stretch to "
              "infinity if they cross the plane w = 0, which contains the light and is parallel to the receiver.",
      .gl_call = "gl_ClipDistance"},
@@ -566,12 +615,14 @@ const Field all_fields[] = {
     {.path = "shadow.write_depth",
      .place = IN(shadow.write_depth),
      .label = "write depth",
+     .idle = {no_shadow, no_receiver, missing_light},
      .help = "Lets the shadow write its depth, including the offset: the depths stored for the plane are then no "
              "longer the plane's own.",
      .gl_call = "glDepthMask"},
     {.path = "shadow.own_stencil",
      .place = IN(shadow.own_stencil),
      .label = "own stencil",
+     .idle = {no_shadow, no_receiver},
      .help =
          "Gives each plane its own stencil value and each light its own bit. When off, all planes share one value and "
          "all lights one bit: where one shadow was counted, the next is missing, and shadows leak from plane to plane.",
@@ -581,6 +632,7 @@ const Field all_fields[] = {
     {.path = "reflection.enabled",
      .place = IN(reflection.enabled),
      .label = "reflection",
+     .idle = {no_mirror},
      .help = "Draws the scene a second time, mirrored by R, and blends the plane over it.",
      .formula = mirror_formula},
     {.path = "reflection.reflectance",
@@ -589,17 +641,20 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
+     .idle = {no_reflection, no_mirror},
      .help = "How much of the mirrored picture shows in the plane: 0 is a dull floor, 1 a perfect mirror.",
      .formula = "color = reflectance · mirrored + (1 − reflectance) · plane"},
     {.path = "reflection.stencil",
      .place = IN(reflection.stencil),
      .label = "stencil mirror",
+     .idle = {no_reflection, no_mirror},
      .help = "Draws the mirrored scene only where the stencil buffer marks the patch. When off, it also shows beyond "
              "the mirror's edge.",
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "reflection.clip",
      .place = IN(reflection.clip),
      .label = "clip to mirror",
+     .idle = {no_reflection, no_mirror},
      .help = "How objects behind the mirror are kept out of the mirror image: not at all, by a clip plane per vertex, "
              "or by an oblique near plane in the projection. The oblique plane needs no extra hardware, but depth is "
              "then measured from the mirror and is finer or coarser, depending on where you look.",
@@ -608,6 +663,7 @@ const Field all_fields[] = {
     {.path = "reflection.flip_winding",
      .place = IN(reflection.flip_winding),
      .label = "flip winding",
+     .idle = {no_facing, no_reflection, no_mirror},
      .help = "A mirror reverses the winding from counterclockwise to clockwise (det R = −1), so front and back must be "
              "swapped while the mirrored scene is drawn. When off, the wrong faces are culled, and the image appears "
              "inside out.",
@@ -616,6 +672,7 @@ const Field all_fields[] = {
     {.path = "reflection.reflect_light",
      .place = IN(reflection.reflect_light),
      .label = "reflect light",
+     .idle = {no_reflection, no_mirror},
      .help = "Mirrors the light together with the scene. When off, mirrored objects are lit from the wrong side.",
      .formula = "l′ = R l"},
     {.path = "reflection.bounces",
@@ -624,17 +681,20 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16,
      .step = 1,
+     .idle = {no_reflection, no_mirror},
      .help = "How many mirrors a line of sight may hit in a row. One plane needs 1; mirrors that face each other show "
              "more with each bounce."},
     {.path = "reflection.mirrored",
      .place = IN(reflection.mirrored),
      .label = "what to mirror",
+     .idle = {no_reflection, no_mirror},
      .help = "Mirrors the scene by R and keeps the camera, or mirrors the camera and flips the picture left to right: "
              "the result is the same.",
      .formula = "P V R = F P (F V R)"},
     {.path = "reflection.same_projection",
      .place = IN(reflection.same_projection),
      .label = "same projection",
+     .idle = {no_reflection, no_mirror, scene_mirrored},
      .help = "Gives the mirrored camera the camera's own projection. When off, the mirrored camera uses the aspect "
              "ratio of a square picture, and the mirror image does not fit the mirror."},
     {.path = "reflection.fovy",
@@ -645,6 +705,7 @@ const Field all_fields[] = {
      .max = 179,
      .step = 0.5,
      .least_above_zero = 1,
+     .idle = {no_field_of_view, no_reflection, no_mirror},
      .help = "The vertical field of view for the picture in a mirror, for example because the mirrored camera has its "
              "own projection; 0 uses the camera's. With any other value, the mirror image is too small or too large "
              "for its mirror.",
@@ -659,11 +720,13 @@ const Field all_fields[] = {
     {.path = "reflection.mask_writes_depth",
      .place = IN(reflection.mask_writes_depth),
      .label = "mask writes depth",
+     .idle = {no_reflection, no_mirror},
      .help = "Lets the mask write the mirror's own depth: the mirror image lies beyond that depth and is hidden.",
      .gl_call = "glDepthMask"},
     {.path = "reflection.after_objects",
      .place = IN(reflection.after_objects),
      .label = "mirror last",
+     .idle = {no_reflection, no_mirror},
      .help = "Draws the objects first and then the mirror, without a depth test: the mirror then covers even the "
              "objects in front of it.",
      .gl_call = "glDisable(GL_DEPTH_TEST)"},
@@ -675,6 +738,7 @@ const Field all_fields[] = {
     {.path = "reflection.shadows",
      .place = IN(reflection.shadows),
      .label = "shadows inside",
+     .idle = {no_shadow, no_receiver, no_reflection, no_mirror},
      .help = "Shows the shadows on the other planes in the mirror too."},
 
     // overrides, follow
@@ -734,16 +798,19 @@ const Field all_fields[] = {
     {.path = "visibility.sort_key",
      .place = IN(visibility.sort_key),
      .label = "sort key",
+     .idle = {not_painter},
      .help = "The painter's sort key for polygons: the distance of the nearest vertex, the farthest vertex, or the "
              "centroid. Each of these keys fails in some scenes."},
     {.path = "visibility.splitter",
      .place = IN(visibility.splitter),
      .label = "splitter",
+     .idle = {not_bsp},
      .help = "The polygon that becomes the root when a BSP tree is built: the first, a random one, the one that splits "
              "the fewest others, or the one that divides them most evenly."},
     {.path = "visibility.walk",
      .place = IN(visibility.walk),
      .label = "walk",
+     .idle = {not_bsp},
      .help = "How a BSP tree is drawn: back to front, each polygon over the earlier ones; or front to back, with a "
              "mask of covered pixels that protects what is already drawn. The traversal order depends on the eye; the "
              "tree itself does not, although the slide divides it \"according to the viewer direction\"."},
@@ -755,22 +822,26 @@ const Field all_fields[] = {
      .max = 0.1,
      .step = 1e-9,
      .logarithmic = true,
+     .idle = {no_splits},
      .help = "How near to a plane a vertex may be and still count as lying on the plane when BSP and Newell split "
              "polygons. If this distance is too large, polygons that should be split are not: seams tear, and the "
              "drawing order is wrong."},
     {.path = "visibility.exact_curves",
      .place = IN(visibility.exact_curves),
      .label = "exact curves",
+     .idle = {not_ray_cast, culling},
      .help = "Rays intersect spheres, cylinders, cones and tori by their equations, not their triangles: silhouettes "
              "are round at any distance, a noted strength of ray casting."},
     {.path = "visibility.compare_with",
      .place = IN(visibility.compare_with),
      .label = "compare with",
+     .idle = {no_difference},
      .help = "The method that the difference view compares with the current one: pixels away from edges are red where "
              "the two methods see different polygons."},
     {.path = "visibility.numbers",
      .place = IN(visibility.numbers),
      .label = "numbers",
+     .idle = {ray_cast},
      .help = "Labels each polygon with its number in the drawing order."},
     {.path = "visibility.raster",
      .place = IN(visibility.raster),
@@ -779,6 +850,7 @@ const Field all_fields[] = {
      .min = 1,
      .max = 256,
      .step = 1,
+     .idle = {gl_resolution},
      .help = "Columns and rows of the picture that a method computes, shown as large squares with their depths; null "
              "uses the view's own pixels, as GL's depth buffer always does. With a size set, shadows and mirrors are "
              "not drawn."},
@@ -789,6 +861,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16383,
      .step = 1,
+     .idle = {gl_resolution},
      .help = "A pixel of the method's picture, counted from the top left: its fragments and ray are shown, and you can "
              "step to its next fragment; null means no pixel."},
 
@@ -825,6 +898,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 4,
      .step = 4,
+     .only = sample_counts,
      .help = "Multisampling of the color picture: 4 samples for smooth edges, 0 for none.",
      .gl_call = "glRenderbufferStorageMultisample"},
     {.path = "view.plane",
@@ -851,6 +925,7 @@ const Field all_fields[] = {
     {.path = "view.beside.layout",
      .place = IN(view.beside.layout),
      .label = "layout",
+     .idle = {no_second_picture},
      .help = "Two whole pictures side by side, or one picture with a line to drag across it."},
     {.path = "view.beside.share",
      .place = IN(view.beside.share),
@@ -858,19 +933,23 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
+     .idle = {no_second_picture, halves},
      .help = "The fraction of the camera view to the left of the divider."},
     {.path = "view.beside.format",
      .place = IN(view.beside.format),
      .label = "other format",
      .unit = "bits",
+     .idle = {no_second_picture, same_depth},
      .help = "The depth format of the second picture."},
     {.path = "view.beside.mapping",
      .place = IN(view.beside.mapping),
      .label = "other mapping",
+     .idle = {no_second_picture, same_depth},
      .help = "The depth mapping of the second picture."},
     {.path = "view.beside.set",
      .place = IN(view.beside.set),
      .label = "differences",
+     .idle = {no_second_picture, same_settings},
      .help = "The fields that are different in the second picture, with their values there."},
     {.path = "view.pixel",
      .place = IN(view.pixel),
@@ -972,6 +1051,7 @@ const Field all_fields[] = {
     {.path = "view.layout.matrices",
      .place = IN(view.layout.matrices),
      .label = "matrices",
+     .names = matrix_names,
      .help = "The matrices to show, in this order: S, R, the followed point, V, C, P and the lecture's display(); an "
              "empty list shows all as usual."},
     {.path = "view.layout.controls",
@@ -981,6 +1061,7 @@ const Field all_fields[] = {
     {.path = "view.layout.folded",
      .place = IN(view.layout.folded),
      .label = "folded",
+     .names = column_names,
      .help = "The columns that are folded away: the panel, the matrices, or both."},
 
     // observer
@@ -1035,33 +1116,39 @@ const Field all_fields[] = {
     {.path = "slips.walk_slows",
      .place = IN(slips.walk_slows),
      .label = "walk slows",
+     .idle = {not_walking},
      .help = "A common mistake: walking moves along the view direction and then restores the height, so the farther "
              "you look up or down, the slower you walk."},
     {.path = "slips.creeping_roll",
      .place = IN(slips.creeping_roll),
      .label = "creeping roll",
+     .idle = {flying},
      .help = "A common mistake: walking and orbiting apply yaw about the camera's own axis instead of the world's, so "
              "an unwanted roll creeps in."},
     {.path = "slips.pole_flip",
      .place = IN(slips.pole_flip),
      .label = "pole flip",
+     .idle = {not_orbiting},
      .help = "A common mistake: orbiting builds the view from a fixed up vector with no limit on pitch, so the picture "
              "flips over at the pole.",
      .gl_call = "glm::lookAt"},
     {.path = "slips.swapped_order",
      .place = IN(slips.swapped_order),
      .label = "R T, not T R",
+     .idle = {v_by_hand},
      .help = "A common mistake: the camera's matrix is multiplied in the wrong order, so its position is rotated too.",
      .formula = "C = R T ≠ T R"},
     {.path = "slips.camera_as_view",
      .place = IN(slips.camera_as_view),
      .label = "C as V",
+     .idle = {v_by_hand},
      .help = "A common mistake: the camera's own matrix is uploaded where its inverse belongs, so everything moves the "
              "wrong way.",
      .formula = "C ≠ V = C⁻¹"},
     {.path = "slips.degrees_as_radians",
      .place = IN(slips.degrees_as_radians),
      .label = "degrees as radians",
+     .idle = {p_by_hand, orthographic, has_window},
      .help = "The slide's perspective(45, …) passes fovy in degrees where GLM takes radians. 45 radians look like "
              "58.3°, so the picture is plausible.",
      .formula = "P₂₂ = 1 / tan(fovy / 2), fovy read as radians",
@@ -1069,12 +1156,14 @@ const Field all_fields[] = {
     {.path = "slips.plus_2ab",
      .place = IN(slips.plus_2ab),
      .label = "+2ab in R",
+     .idle = {no_ab},
      .help = "A sign lost in the slide's expansion: row 2, column 1 of R is +2ab instead of −2ab. The mistake shows if "
              "the plane's normal has both an x and a y component.",
      .formula = "R₂₁ = −2ab"},
     {.path = "slips.normal_not_unit",
      .place = IN(slips.normal_not_unit),
      .label = "n not divided by |n|",
+     .idle = {unit_normals},
      .help = "Fills R from (a, b, c, d) as entered. The formula needs a normal of length 1; with a longer normal, "
              "points move too far.",
      .formula = mirror_formula},
@@ -1086,6 +1175,7 @@ const Field all_fields[] = {
     {.path = "slips.oblique_in_world",
      .place = IN(slips.oblique_in_world),
      .label = "oblique plane in world space",
+     .idle = {no_reflection, no_mirror, not_oblique},
      .help =
          "Gives the oblique near plane in world space, although P needs it in view space: the image is cut at another "
          "plane.",
@@ -1108,6 +1198,7 @@ const Field all_fields[] = {
      .min = -360,
      .max = 360,
      .step = 1,
+     .idle = {no_orbiting_light},
      .help = "Speed of the light's orbit; negative reverses it."},
 
     // ui
@@ -1162,12 +1253,6 @@ std::vector<std::string> known_paths() {
         for (std::string_view path = field.path; !path.empty(); path = group_of(path))
             if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.emplace_back(path);
     return paths;
-}
-
-std::vector<std::string> allowed_names(const Field& field) {
-    if (field.path == "view.layout.matrices") return {"S", "R", "follow", "V", "C", "P", "display"};
-    if (field.path == "view.layout.folded") return {"panel", "matrices"};
-    return known_paths();
 }
 
 std::size_t element_count(const Field& field, const Params& params) {

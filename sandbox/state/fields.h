@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,12 @@ struct Further {
     static constexpr bool has_lights = std::is_same_v<Element, LightParams>;
     static constexpr std::string_view group = has_lights ? "light" : "plane";
     static constexpr std::size_t most = has_lights ? most_lights - 1 : most_planes - 1;
+    static constexpr auto member = [] {
+        if constexpr (has_lights)
+            return &Params::lights;
+        else
+            return &Params::planes;
+    }();
     std::vector<Element>* all;
 
     std::span<Element> elements() const { return std::span(*all).subspan(1); }
@@ -42,11 +49,27 @@ struct FurtherOverrides {
     std::array<PlaneOverrides, most_planes>* all;
 };
 
-/// A reference to a field inside a Params.
+/// A reference to a field inside a Params. Each alternative is a kind of field, which kinds.cpp declares.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
                               Further<LightParams>, Further<PlaneParams>, std::optional<glm::dmat4>*, FurtherOverrides,
                               std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*,
                               std::optional<Pin>*, std::vector<std::string>*, Settings*>;
+
+// clang-format off
+/// Why a field may have no effect. frame/effect.cpp says when each reason holds, and names it in a sentence.
+enum class Idle {
+    p_by_hand, v_by_hand,
+    orthographic, not_orthographic, has_window, no_field_of_view, no_window,
+    no_gl_depth_test, no_depth_buffer, no_depth_test, not_reversed, not_logarithmic, no_depth_clear,
+    no_decals, no_decal_offset, no_pairs,
+    gl_resolution, no_culling, no_facing,
+    no_shadow, no_receiver, missing_light, no_shadow_offset, no_lift,
+    no_reflection, no_mirror, no_ab, unit_normals, not_oblique, scene_mirrored,
+    not_painter, not_bsp, no_splits, not_ray_cast, culling, no_difference, ray_cast,
+    no_second_picture, same_depth, same_settings, halves,
+    no_orbiting_light, not_walking, flying, not_orbiting,
+};
+// clang-format on
 
 struct Field {
     std::string_view path;  ///< "projection.near"
@@ -55,13 +78,17 @@ struct Field {
     std::string_view unit = "";  ///< "world units", "°", "" …
     double min = -1e12;          ///< inclusive, per component; ±1e12 if nothing else limits it
     double max = 1e12;
-    double step = 0.01;             ///< natural step of a drag
-    bool logarithmic = false;       ///< the range spans decades
-    bool may_be_infinite = false;   ///< "infinite" is allowed above the range
-    double least_above_zero = 0.0;  ///< unless 0: 0 is allowed, but not the values between 0 and this
-    std::string_view help;          ///< its effect, in a few sentences
-    std::string_view formula = "";  ///< the formula that uses the field; "" if none
-    std::string_view gl_call = "";  ///< the GL call that the field sets; "" if none
+    double step = 0.01;                       ///< natural step of a drag
+    bool logarithmic = false;                 ///< the range spans decades
+    bool may_be_infinite = false;             ///< "infinite" is allowed above the range
+    double least_above_zero = 0.0;            ///< unless 0: 0 is allowed, but not the values between 0 and this
+    std::span<const int> only = {};           ///< the allowed whole numbers; empty: all in the range
+    std::span<const char* const> names = {};  ///< the allowed names of a list; empty: the paths of fields and groups
+    bool is_light = false;                    ///< four numbers are (x, y, z, w), not a plane (a, b, c, d)
+    std::initializer_list<Idle> idle = {};    ///< why it may have no effect, the broadest reason first
+    std::string_view help;                    ///< its effect, in a few sentences
+    std::string_view formula = "";            ///< the formula that uses the field; "" if none
+    std::string_view gl_call = "";            ///< the GL call that the field sets; "" if none
 
     /// Returns a reference to the field in `params`. `element` selects the light or plane in the groups "light" and
     /// "plane"; it is 0 for other fields.
@@ -114,11 +141,11 @@ std::string_view group_of(std::string_view path);
 /// Returns the paths of all fields and groups, in the order of the list.
 std::vector<std::string> known_paths();
 
-/// Returns the names that a field of type "names" may contain, each at most once.
-std::vector<std::string> allowed_names(const Field& field);
+/// Returns whether the range of the field's numbers is part of its description.
+bool has_range(const Field& field);
 
-/// Returns these names as a phrase that completes "must be".
-std::string allowed_name_text(const Field& field);
+/// Returns the names of a field's enumeration, or those that a list of names may contain; empty for other kinds.
+std::vector<std::string> allowed_names(const Field& field);
 
 /// Returns the smallest value of near that the state's projection and depth mapping allow. It is positive if
 /// perspective divides by the distance or logarithmic depth takes its logarithm; otherwise near may be negative, as in
@@ -132,6 +159,9 @@ bool may_have_infinite_far(const Params& params);
 
 /// Returns the minimum distance between two opposite edges of the picture's window.
 double least_window(double low, double high);
+
+/// The largest distance of an edge of the picture's window from the view axis.
+inline constexpr double window_limit = 1e6;
 
 /// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.
 inline constexpr double min_aspect = 0.1;
@@ -180,6 +210,13 @@ template <typename Enum>
 std::string_view name_of(Enum value) {
     return names_of<Enum>()[static_cast<std::size_t>(value)];
 }
+
+/// Corrects a field's value that is out of its range; NaN becomes the default.
+void clamp_field(const Field& field, Params& params, std::size_t element);
+
+/// Moves a number from its value in `from` toward its value in `to`, by equal factors if the field is logarithmic;
+/// keeps all other values of `to`.
+void blend_field(const Field& field, Params& from, Params& to, double share, std::size_t element);
 
 /// Clamps every number to its field's range and corrects values that depend on each other (near < far, a plane with a
 /// normal, a light that is not zero, a chosen element that exists), so that the panel can never cause an error. The

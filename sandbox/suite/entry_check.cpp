@@ -98,7 +98,7 @@ private:
     void check_problems(const std::vector<Problem>& told) {
         const auto tells = [&](const std::string& part) {
             return std::any_of(told.begin(), told.end(), [&](const Problem& problem) {
-                return problem.id == part || problem.sentence.find(part) != std::string::npos;
+                return problem.id == part || say(problem.sentence).find(part) != std::string::npos;
             });
         };
         if (!told.empty()) {
@@ -110,7 +110,7 @@ private:
         for (const std::string& part : entry_.unwanted_problems)
             if (tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is reported");
         if (entry_.allows_no_problem && !told.empty())
-            worsen(Outcome::different, "an unexpected problem is reported: " + told.front().sentence);
+            worsen(Outcome::different, "an unexpected problem is reported: " + say(told.front().sentence));
     }
 
     void check_picture(const SuiteSubject& subject) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "platform/progress.h"
+#include "text/message.h"
 #include "visibility/choices.h"
 #include "visibility/polygons.h"
 
@@ -52,7 +53,7 @@ struct BspTree {
     std::vector<Polygon> fragments;
     double epsilon = 0.0;
     BspCounters counters;
-    std::string problem;  ///< a sentence if the build stopped at its budget or was canceled
+    Message problem;  ///< a sentence if the build stopped at its budget or was canceled
 };
 
 /// Builds the tree. Even if the build stops early, every polygon is still in the tree, some in nodes that are not

@@ -37,7 +37,7 @@ public:
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
         if (!all.empty()) rests_.push_back({std::move(all), -1, false});
         while (!rests_.empty()) {
-            if (is_canceled(progress)) tree_.problem = tr("The BSP tree is not finished: it was canceled.");
+            if (is_canceled(progress)) tree_.problem = message("The BSP tree is not finished: it was canceled.");
             grow();
             report(progress, static_cast<double>(tree_.fragments.size()) / live_count());
         }
@@ -146,8 +146,9 @@ private:
         node.back_count = static_cast<int>(children.back.size());
         tree_.counters.splits += node.split_count;
         if (live_count() > options_.max_fragments && tree_.problem.empty()) {
-            tree_.problem = say("The BSP tree stopped at its budget of {count} fragments; the rest is drawn unsorted.",
-                                "count"_a = options_.max_fragments);
+            tree_.problem =
+                message("The BSP tree stopped at its budget of {count} fragments; the rest is drawn unsorted.",
+                        "count"_a = options_.max_fragments);
         }
         return own;
     }

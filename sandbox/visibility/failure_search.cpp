@@ -35,16 +35,16 @@ bool is_finite(const Orbit& orbit, const OrbitView& view) {
     return std::isfinite(sum);
 }
 
-const char* name_of(PainterKey key) {
+Message name_of(PainterKey key) {
     switch (key) {
         case PainterKey::nearest:
-            return tr("the nearest vertex");
+            return message("the nearest vertex");
         case PainterKey::farthest:
-            return tr("the farthest vertex");
+            return message("the farthest vertex");
         case PainterKey::centroid:
-            return tr("the centroid");
+            return message("the centroid");
     }
-    return "";
+    return {};
 }
 
 class Search {
@@ -123,15 +123,15 @@ private:
     FailureView worst_;
 };
 
-std::string sentence_of(const FailureView& result, PainterKey key) {
-    const char* const key_name = name_of(key);
+Message sentence_of(const FailureView& result, PainterKey key) {
+    const Message key_name = name_of(key);
     if (!result.found && result.canceled)
-        return say(
+        return message(
             "The search was canceled; up to then, sorting by {key} was correct in every view. Views tried: {views}.",
             "views"_a = result.views_tried, "key"_a = key_name);
     if (!result.found)
-        return say("No view found where sorting by {key} fails. Views tried: {views}.", "key"_a = key_name,
-                   "views"_a = result.views_tried);
+        return message("No view found where sorting by {key} fails. Views tried: {views}.", "key"_a = key_name,
+                       "views"_a = result.views_tried);
     const char* const sentence = result.canceled
                                      ? marked(
                                            "Sorting by {key} gets about {share} of the picture wrong at yaw {yaw}°, "
@@ -141,9 +141,9 @@ std::string sentence_of(const FailureView& result, PainterKey key) {
                                            "pitch {pitch}°. Views tried: {views}.");
     // The search uses small pictures, so a count of their pixels would not match the count in the view.
     const double share = static_cast<double>(result.wrong_pixels) / static_cast<double>(result.compared);
-    return say(fmt::runtime(sentence), "key"_a = key_name, "share"_a = percent(share),
-               "yaw"_a = number_text(result.view.yaw_deg, 1), "pitch"_a = number_text(result.view.pitch_deg, 1),
-               "views"_a = result.views_tried);
+    return message(fmt::runtime(sentence), "key"_a = key_name, "share"_a = percent(share),
+                   "yaw"_a = number_text(result.view.yaw_deg, 1), "pitch"_a = number_text(result.view.pitch_deg, 1),
+                   "views"_a = result.views_tried);
 }
 
 }  // namespace
@@ -164,9 +164,9 @@ FailureView find_failure(std::span<const Polygon> polygons, const Orbit& orbit, 
     if (polygons.empty() || !has_pixels || !is_finite(orbit, options.start)) {
         FailureView nothing;
         nothing.view = options.start;
-        nothing.sentence = polygons.empty() ? tr("There are no polygons that could be sorted wrongly.")
-                           : !has_pixels    ? tr("There are no pixels to compare.")
-                                            : tr("The camera's orbit is not finite: no view was tried.");
+        nothing.sentence = polygons.empty() ? message("There are no polygons that could be sorted wrongly.")
+                           : !has_pixels    ? message("There are no pixels to compare.")
+                                            : message("The camera's orbit is not finite: no view was tried.");
         return nothing;
     }
     FailureView result = Search(polygons, orbit, options, progress).run();

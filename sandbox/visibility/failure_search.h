@@ -9,6 +9,7 @@
 #include <string>
 
 #include "platform/progress.h"
+#include "text/message.h"
 #include "visibility/painter.h"
 #include "visibility/polygons.h"
 #include "visibility/viewpoint.h"
@@ -44,7 +45,7 @@ struct FailureView {
     std::int64_t wrong_pixels = 0;  ///< in that view, as difference() counts them
     std::int64_t compared = 0;      ///< number of pixels in one picture
     int views_tried = 0;
-    std::string sentence;  ///< the result, for the screen
+    Message sentence;  ///< the result, for the screen
 };
 
 /// Searches the full circle in 15-degree steps of yaw, at the start's pitch and at three others, beginning at the

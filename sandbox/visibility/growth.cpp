@@ -29,8 +29,10 @@ struct Share {
     double begin, size;
 };
 
-std::string polygons_text(int count) {
-    return say_count(count, "{count} polygon", "{count} polygons");
+Message polygons_message(int count) {
+    const std::string number = grouped_number(count);
+    return count == 1 ? message("{count} polygon", "count"_a = number)
+                      : message("{count} polygons", "count"_a = number);
 }
 
 /// The reason why a method is no longer tried.
@@ -115,14 +117,14 @@ private:
         return std::move(*middle);
     }
 
-    std::string budget() const {
-        return say("{number} ms", "number"_a = grouped_number(static_cast<std::int64_t>(request_.time_budget_ms)));
+    Message budget() const {
+        return message("{number} ms", "number"_a = grouped_number(static_cast<std::int64_t>(request_.time_budget_ms)));
     }
 
-    std::string stopped(const GrowthRow& row) const {
-        return say("With {polygons}, {method} stopped at its limit of {budget}.",
-                   "polygons"_a = polygons_text(row.polygons), "method"_a = tr_part(growth_method_name(row.method)),
-                   "budget"_a = budget());
+    Message stopped(const GrowthRow& row) const {
+        return message("With {polygons}, {method} stopped at its limit of {budget}.",
+                       "polygons"_a = polygons_message(row.polygons),
+                       "method"_a = Message(growth_method_name(row.method), {}), "budget"_a = budget());
     }
 
     /// Decides whether to try the method again.
@@ -140,24 +142,25 @@ private:
         }
     }
 
-    std::string not_tried(const Candidate& candidate, GrowthMethod method, int count) const {
-        const std::string from = polygons_text(count), many = polygons_text(candidate.too_many);
-        const std::string_view name = tr_part(growth_method_name(method));
+    Message not_tried(const Candidate& candidate, GrowthMethod method, int count) const {
+        const Message from = polygons_message(count), many = polygons_message(candidate.too_many);
+        const Message name = Message(growth_method_name(method), {});
         switch (candidate.too_much) {
             case TooMuch::polygons:
-                return say("With {polygons} or more, {method} was not tried: {too_many} already exceeded its budget.",
-                           "polygons"_a = from, "method"_a = name, "too_many"_a = many);
+                return message(
+                    "With {polygons} or more, {method} was not tried: {too_many} already exceeded its budget.",
+                    "polygons"_a = from, "method"_a = name, "too_many"_a = many);
             case TooMuch::time:
-                return say(
+                return message(
                     "With {polygons} or more, {method} was not tried: {too_many} already took longer than {budget}.",
                     "polygons"_a = from, "method"_a = name, "too_many"_a = many, "budget"_a = budget());
             case TooMuch::missing_tree:
-                return say("With {polygons} or more, {method} was not tried: the tree was not finished.",
-                           "polygons"_a = from, "method"_a = name);
+                return message("With {polygons} or more, {method} was not tried: the tree was not finished.",
+                               "polygons"_a = from, "method"_a = name);
             case TooMuch::nothing:
                 break;
         }
-        return "";
+        return {};
     }
 
     void add_last_row(GrowthMethod method, int count) {

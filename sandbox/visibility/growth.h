@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "platform/progress.h"
+#include "text/message.h"
 #include "visibility/polygons.h"
 #include "visibility/viewpoint.h"
 
@@ -55,7 +56,7 @@ struct GrowthRow {
     std::string_view operation_name{};
     std::int64_t operations = 0;
     std::int64_t pixels_painted = 0;  ///< painted in the order that the method found; 0 if it finds none
-    std::string problem{};            ///< a sentence if a budget stopped the method, or if it is no longer tried
+    Message problem{};                ///< a sentence if a budget stopped the method, or if it is no longer tried
     double painting_ms = 0.0;         ///< part of time_ms: painting in the order that the method found
     double build_ms = 0.0;            ///< part of time_ms: building the hierarchy for the rays
     double time_least_ms = 0.0, time_most_ms = 0.0;  ///< shortest and longest of all runs

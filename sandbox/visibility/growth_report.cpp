@@ -126,7 +126,7 @@ std::string growth_csv(std::span<const GrowthRow> rows, bool with_times) {
     for (const GrowthRow& row : rows) {
         text += csv_field(growth_method_name(row.method)) + ',' + std::to_string(row.polygons) + ',' +
                 csv_field(row.operation_name) + ',' + std::to_string(row.operations) + ',' +
-                std::to_string(row.pixels_painted) + ',' + csv_field(row.problem);
+                std::to_string(row.pixels_painted) + ',' + csv_field(say(row.problem));
         if (with_times)
             text += ',' + shortest_number(row.time_ms) + ',' + shortest_number(row.time_least_ms) + ',' +
                     shortest_number(row.time_most_ms) + ',' + std::to_string(row.runs) + ',' +

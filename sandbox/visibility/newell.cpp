@@ -32,7 +32,7 @@ public:
         for (const Polygon& polygon : polygons) {
             if (is_cut_short(taken++, progress)) {
                 list_.clear();
-                stop(tr("Newell's sort was canceled before it began: nothing is drawn."));
+                stop(message("Newell's sort was canceled before it began: nothing is drawn."));
                 return;
             }
             std::optional<Polygon> seen = clipped(polygon, near, clip_epsilon);
@@ -96,8 +96,8 @@ private:
         result_.fragments.push_back(std::move(polygon));
     }
 
-    void stop(std::string why) { result_.problem = std::move(why); }
-    void stop_canceled() { stop(tr("Newell's sort was canceled; the rest is sorted by farthest vertex.")); }
+    void stop(const Message& why) { result_.problem = why; }
+    void stop_canceled() { stop(message("Newell's sort was canceled; the rest is sorted by farthest vertex.")); }
 
     void record(const NewellStep& step) {
         if (result_.steps.size() < options_.max_steps) {
@@ -155,10 +155,10 @@ private:
             const int q = list_[place];
             if (q == p) continue;
             if (++result_.counters.pairs > options_.max_pairs) {
-                stop(
-                    say("Newell's sort stopped at its budget of {count} comparisons; the rest is sorted by farthest "
-                        "vertex.",
-                        "count"_a = options_.max_pairs));
+                stop(message(
+                    "Newell's sort stopped at its budget of {count} comparisons; the rest is sorted by farthest "
+                    "vertex.",
+                    "count"_a = options_.max_pairs));
                 return {};
             }
             const NewellTest test = first_passed(p, q);
@@ -233,8 +233,9 @@ private:
         if (!result_.problem.empty()) return false;
         if (side_of_plane(result_.fragments[fragment], plane, epsilon_) != PlaneSide::spanning) return false;
         if (static_cast<int>(list_.size() + result_.order.size()) >= options_.max_fragments) {
-            stop(say("Newell's sort stopped at its budget of {count} fragments; the rest is sorted by farthest vertex.",
-                     "count"_a = options_.max_fragments));
+            stop(message(
+                "Newell's sort stopped at its budget of {count} fragments; the rest is sorted by farthest vertex.",
+                "count"_a = options_.max_fragments));
             return false;
         }
         ++result_.counters.splits;

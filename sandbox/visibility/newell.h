@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "platform/progress.h"
+#include "text/message.h"
 #include "visibility/polygons.h"
 #include "visibility/viewpoint.h"
 
@@ -73,7 +74,7 @@ struct NewellOrder {
     NewellCounters counters;
     /// A sentence if the sort stopped at a budget or was canceled; the rest is then sorted by farthest vertex. If it
     /// was canceled while clipping, which is possible only with more than 32,768 polygons, nothing is drawn.
-    std::string problem;
+    Message problem;
 };
 
 /// Returns a painting order that is correct for this viewpoint. Clips polygons at the near plane first. Where

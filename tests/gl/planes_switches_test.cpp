@@ -115,7 +115,7 @@ TEST_F(Switches, AreReportedWhenTheyBreakThePicture) {
         const std::vector<Problem> without = problems_of(artefact.fixed, artefact.scene, switches_px);
         const std::vector<Problem> with = problems_of(artefact.broken, artefact.scene, switches_px);
         EXPECT_TRUE(std::any_of(with.begin(), with.end(), [&](const Problem& told) {
-            return told.kind == ProblemKind::wrong && !says(without, told.group, told.sentence);
+            return told.kind == ProblemKind::wrong && !says(without, told.group, say(told.sentence));
         })) << artefact.name;
     }
 }

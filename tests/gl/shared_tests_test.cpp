@@ -53,13 +53,14 @@ int expect_the_same_fragments(std::span<const Pass> passes) {
         const StencilState& planned = passes[i].stencil;
         changed += tests[i] != planned;
         for (const int value : values)
-            EXPECT_EQ(lets_through(tests[i], value), lets_through(planned, value)) << passes[i].name << ", " << value;
+            EXPECT_EQ(lets_through(tests[i], value), lets_through(planned, value))
+                << say(passes[i].name) << ", " << value;
         if (!planned.test || planned.on_pass == StencilOp::keep) {
             // A pass that wrote no stencil must still write none.
-            EXPECT_TRUE(tests[i] == planned || tests[i].on_pass == StencilOp::keep) << passes[i].name;
+            EXPECT_TRUE(tests[i] == planned || tests[i].on_pass == StencilOp::keep) << say(passes[i].name);
             continue;
         }
-        EXPECT_EQ(tests[i], planned) << passes[i].name;
+        EXPECT_EQ(tests[i], planned) << say(passes[i].name);
         std::set<int> references{planned.reference};
         if (passes[i].marks_objects)
             for (int mark = 0; mark < 256; ++mark) references.insert(mark);

@@ -73,7 +73,7 @@ constexpr std::string_view by_chance[] = {
 bool is_by_chance(const Problem& problem) {
     return problem.id == "depth.offset_too_small" ||
            std::any_of(std::begin(by_chance), std::end(by_chance),
-                       [&](std::string_view start) { return problem.sentence.starts_with(start); });
+                       [&](std::string_view start) { return say(problem.sentence).starts_with(start); });
 }
 
 /// GL_GREATER and GL_GEQUAL differ only where two depths are equal, like GL_LESS and GL_LEQUAL.
@@ -173,7 +173,7 @@ protected:
     };
     static Shown shown(const Params& params, const Scene& scene) {
         Shown shown{draw(params, scene, size_px), {}, problems_of(params, scene, size_px)};
-        for (const Problem& problem : shown.problems) shown.sentences.insert(problem.sentence);
+        for (const Problem& problem : shown.problems) shown.sentences.insert(say(problem.sentence));
         return shown;
     }
 
@@ -225,12 +225,12 @@ protected:
             << "silent: " << what << " changes " << changed << " pixels";
         for (const Problem& problem : after.problems) {
             if (problem.kind != ProblemKind::wrong || problem.fixed_by.empty() ||
-                before.sentences.contains(problem.sentence) || is_by_chance(problem))
+                before.sentences.contains(say(problem.sentence)) || is_by_chance(problem))
                 continue;
             EXPECT_TRUE(fix_shows(change.params, scene, problem.fixed_by) ||
                         (is_left_to_chance(after.problems) &&
                          fix_shows(without_chance(change.params), scene, problem.fixed_by)))
-                << "alarm: " << what << ": " << problem.sentence << " | " << problem.fixed_by;
+                << "alarm: " << what << ": " << say(problem.sentence) << " | " << problem.fixed_by;
         }
         return changed > few_pixels;
     }

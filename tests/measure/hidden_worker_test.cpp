@@ -134,7 +134,7 @@ TEST(HiddenWorker, AnotherMethodDoesNotWaitForASlowOne) {
     worker.wait(-1.0);
     ASSERT_TRUE(worker.answer(1));
     EXPECT_EQ(worker.answer(1)->question, other);
-    EXPECT_TRUE(worker.answer(1)->problem().empty()) << worker.answer(1)->problem();
+    EXPECT_TRUE(worker.answer(1)->problem().empty()) << say(worker.answer(1)->problem());
 }
 
 TEST(HiddenWorker, FailedWorkIsReportedOnceAndNotRestarted) {

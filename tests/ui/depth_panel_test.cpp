@@ -41,7 +41,7 @@ TEST_F(DepthPanel, SwitchesThatBreakThePictureSayWhy) {
     const auto sentences = [&] {
         desk.settle();
         std::vector<std::string> all;
-        for (const Problem& problem : desk.problems) all.push_back(problem.sentence);
+        for (const Problem& problem : desk.problems) all.push_back(say(problem.sentence));
         return all;
     };
     EXPECT_EQ(sentences(), std::vector<std::string>{});

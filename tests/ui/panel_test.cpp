@@ -2,118 +2,31 @@
 #include <set>
 
 #include "desk.h"
+#include "listed_fields.h"
 
 namespace viewing::test {
 namespace {
 
 struct Control {
-    const char* label;
-    const char* field;
-    Navigation mode = Navigation::fly;  ///< the mode in which the control is enabled
+    std::string label, field;
+    Navigation mode = Navigation::fly;  ///< the mode in which the control is available
 };
 
 /// All controls of the panel that hold a value, with every section expanded in the opening state.
-constexpr Control controls[] = {
-    {"camera/navigation/Fly (6 DOF)", "camera.navigation"},
-    {"camera/navigation/Walk (2 DOF)", "camera.navigation"},
-    {"camera/navigation/Orbit", "camera.navigation"},
-    {"camera/position/x", "camera.position"},
-    {"camera/position/y", "camera.position"},
-    {"camera/position/z", "camera.position"},
-    {"camera/yaw pitch roll/x", "camera.yaw"},
-    {"camera/yaw pitch roll/y", "camera.pitch"},
-    {"camera/yaw pitch roll/z", "camera.roll"},
-    {"camera/target/x", "camera.target"},
-    {"camera/target/y", "camera.target"},
-    {"camera/target/z", "camera.target"},
-    {"camera/walking slows (walk)", "slips.walk_slows", Navigation::walk},
-    {"camera/creeping roll (walk, orbit)", "slips.creeping_roll", Navigation::walk},
-    {"camera/flip at the pole (orbit)", "slips.pole_flip", Navigation::orbit},
-    {"camera/R·T instead of T·R", "slips.swapped_order"},
-    {"camera/C sent as V", "slips.camera_as_view"},
-    {"projection/aspect (0: from view)", "projection.aspect"},
-    {"projection/degrees given as radians", "slips.degrees_as_radians"},
-    {"projection/type/Perspective", "projection.type"},
-    {"projection/type/Orthographic", "projection.type"},
-    {"projection/fovy", "projection.fovy"},
-    {"projection/z-near", "projection.near"},
-    {"projection/z-far", "projection.far"},
-    {"depth/method", "visibility.method"},
-    {"depth/Depth test", "depth.test"},
-    {"depth/func", "depth.func"},
-    {"depth/Depth mask", "depth.write"},
-    {"depth/Clear depth", "depth.clear"},
-    {"depth/Cull face", "cull.enabled"},
-    {"depth/face", "cull.face"},
-    {"depth/front_face", "cull.front_face"},
-    {"buffer/Window has a buffer", "depth.buffer"},
-    {"buffer/depth format", "depth.format"},
-    {"buffer/depth mapping", "depth.mapping"},
-    {"buffer/clear value", "depth.clear_value"},
-    {"buffer/Mask on while clearing", "depth.write_while_clearing"},
-    {"buffer/scale/Window", "view.depth_scale"},
-    {"buffer/scale/Linear", "view.depth_scale"},
-    {"buffer/colors/Gray", "view.depth_colors"},
-    {"buffer/colors/Bands", "view.depth_colors"},
-    {"beside/2nd picture", "view.beside.shows"},
-    {"buffer/Jitter the camera", "animation.jiggle"},
-    {"light/position/point", "light.position"},
-    {"light/position/parallel", "light.position"},
-    {"light/position/x", "light.position"},
-    {"light/position/y", "light.position"},
-    {"light/position/z", "light.position"},
-    {"light/position/w", "light.position"},
-    {"light/Orbit", "animation.light_orbit"},
-    {"light/speed", "animation.light_speed"},
-    {"plane/equation/a", "plane.equation"},
-    {"plane/equation/b", "plane.equation"},
-    {"plane/equation/c", "plane.equation"},
-    {"plane/equation/d", "plane.equation"},
-    {"plane/extent", "plane.extent"},
-    {"plane/Receiver", "plane.receives_shadow"},
-    {"plane/Mirrors", "plane.mirrors"},
-    {"plane/Gloss", "plane.gloss"},
-    {"shadow/Shadow", "shadow.enabled"},
-    {"shadow/Stencil once", "shadow.stencil_once"},
-    {"shadow/Clip to patch", "shadow.clip_to_receiver"},
-    {"shadow/Clip casters", "shadow.clip_casters"},
-    {"shadow/opacity", "shadow.opacity"},
-    {"shadow/style/Blend", "shadow.style"},
-    {"shadow/style/Missing light", "shadow.style"},
-    {"shadow/shadow color", "shadow.color"},
-    {"shadow/offset", "shadow.offset"},
-    {"shadow/factor", "shadow.offset_factor"},
-    {"shadow/units", "shadow.offset_units"},
-    {"shadow/Write depth", "shadow.write_depth"},
-    {"shadow/Clip at light", "shadow.clip_at_light"},
-    {"shadow/Own stencil", "shadow.own_stencil"},
-    {"shadow/sign of S", "shadow.sign"},
-    {"shadow/S by rows", "slips.shadow_by_rows"},
-    {"reflection/Reflection", "reflection.enabled"},
-    {"reflection/Clip to mirror", "reflection.stencil"},
-    {"reflection/Flip winding", "reflection.flip_winding"},
-    {"reflection/Mirror light", "reflection.reflect_light"},
-    {"reflection/reflectance", "reflection.reflectance"},
-    {"reflection/bounces", "reflection.bounces"},
-    {"reflection/clip at the plane", "reflection.clip"},
-    {"reflection/mirror fovy", "reflection.fovy"},
-    {"reflection/mirrored/Mirror the scene", "reflection.mirrored"},
-    {"reflection/mirrored/the camera", "reflection.mirrored"},
-    {"reflection/Eye's side", "reflection.side_of_eye"},
-    {"reflection/Shadows inside", "reflection.shadows"},
-    {"reflection/Mask writes depth", "reflection.mask_writes_depth"},
-    {"reflection/Mirror last", "reflection.after_objects"},
-    {"reflection/R as printed", "reflection.printed_by_rows"},
-    {"observer/target/x", "observer.target"},
-    {"observer/target/y", "observer.target"},
-    {"observer/target/z", "observer.target"},
-    {"observer/yaw", "observer.yaw"},
-    {"observer/pitch", "observer.pitch"},
-    {"observer/distance", "observer.distance"},
-    {"observer/Light rays", "observer.light_rays"},
-    {"observer/Mirrored eye", "observer.mirrored_eye"},
-    {"observer/Image space", "observer.image_space"},
-};
+std::vector<Control> listed_controls() {
+    std::vector<Control> controls;
+    for (const testing::ListedField& field : testing::listed_fields())
+        for (const std::string& control : field.controls) {
+            if (control == "elsewhere" || control == "none") continue;
+            const std::size_t end = std::min(control.find(" ["), control.size());
+            const std::string_view mode = std::string_view(control).substr(end);
+            controls.push_back({control.substr(0, end), field.path(),
+                                mode == " [walk]"    ? Navigation::walk
+                                : mode == " [orbit]" ? Navigation::orbit
+                                                     : Navigation::fly});
+        }
+    return controls;
+}
 
 bool is_switch(const RecordedItem& item) {
     return item.text == "on" || item.text == "off";
@@ -159,7 +72,7 @@ TEST(Panel, EveryControlChangesItsOwnFieldInOneUndoStep) {
     Desk desk;
     desk.params().cull.enabled = desk.params().animation.light_orbit = true;  // make the dependent controls effective
     desk.fold_out_all();
-    for (const Control& control : controls) {
+    for (const Control& control : listed_controls()) {
         SCOPED_TRACE(control.label);
         if (control.mode != Navigation::fly) {
             EXPECT_FALSE(desk.ui.find(control.label).enabled);  // not available in fly mode
@@ -184,7 +97,7 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
     Desk desk;
     desk.fold_out_all();
     std::set<std::string> known;
-    for (const Control& control : controls) known.insert(control.label);
+    for (const Control& control : listed_controls()) known.insert(control.label);
     known.insert("camera/speed");                                               // part of the session, not of the state
     known.insert({"projection/explicit window", "projection/infinite z-far"});  // projection_test.cpp
     known.insert({"camera/pose/Angles", "camera/pose/Look at"});                // show the same fields in another way
@@ -195,81 +108,10 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
     }
 }
 
-TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
-    std::set<std::string> reached;
-    for (const Control& control : controls) reached.insert(control.field);
-    // These have controls in other states or places; each is tested elsewhere in this folder.
-    reached.insert({"scene",
-                    "projection.height",
-                    "projection.left",
-                    "projection.right",
-                    "projection.bottom",
-                    "projection.top",
-                    "depth.offset.factor",
-                    "depth.offset.units",
-                    "depth.decals",
-                    "depth.reversed_zero_to_one",
-                    "depth.reversed_clear",
-                    "depth.reversed_offset",
-                    "depth.logarithm_per_vertex",
-                    "coplanar.gap",
-                    "coplanar.tilt",
-                    "coplanar.distance",
-                    "shadow.lift",
-                    "lights",
-                    "planes",
-                    "reflection.same_projection",
-                    "reflection.fovy",
-                    "reflection.printed_by_rows",
-                    "slips.plus_2ab",
-                    "slips.normal_not_unit",
-                    "slips.oblique_in_world",
-                    "follow",
-                    "view.shows",
-                    "view.depth_range",
-                    "view.samples",
-                    "view.beside.layout",
-                    "view.beside.share",
-                    "view.beside.format",
-                    "view.beside.mapping",
-                    "view.beside.set",
-                    "visibility.raster",
-                    "visibility.pixel",
-                    "view.pixel",
-                    "view.cells",
-                    "view.call",
-                    "view.triangle",
-                    "view.pass",
-                    "view.derivation_step",
-                    "view.division",
-                    "view.way",
-                    "view.lower_left",
-                    "view.lower_right",
-                    "ui.theme",
-                    "ui.scale",
-                    "ui.language",
-                    "overrides.view_from_world",
-                    "overrides.clip_from_view",
-                    "overrides.shadow_from_world",
-                    "overrides.mirror_from_world",
-                    "overrides.further",
-                    "view.plane",
-                    "view.light",
-                    "visibility.step",
-                    "visibility.sort_key",
-                    "visibility.splitter",
-                    "visibility.walk",
-                    "visibility.epsilon",
-                    "visibility.exact_curves",
-                    "visibility.compare_with",
-                    "visibility.numbers"});
-    // There is only one version. A layout and a pin by object are set in files; the panel has no controls for them.
-    const std::set<std::string> without = {
-        "version", "view.pin", "view.layout.big", "view.layout.matrices", "view.layout.controls", "view.layout.folded"};
-    for (const Field& field : fields()) {
-        const std::string path(field.path);
-        EXPECT_TRUE(reached.contains(path) != without.contains(path)) << path;
-    }
+TEST(Panel, EveryFieldHasAControlOrIsListedWithoutOne) {
+    for (const testing::ListedField& field : testing::listed_fields())
+        EXPECT_FALSE(field.controls.empty())
+            << field.path() << " has no control: draw one, and name its label in tests/fields.txt";
 }
 
 class PanelTest : public UiTest {};

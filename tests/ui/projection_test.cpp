@@ -25,7 +25,7 @@ TEST(ProjectionWindow, BeginsWithThePictureAsItIs) {
         EXPECT_EQ(projection.type, orthographic ? ProjectionType::orthographic_window : ProjectionType::frustum);
         for (int column = 0; column < 4; ++column)
             EXPECT_LT(glm::distance(desk.derived.clip_from_view[column], before[column]), 1e-9);
-        EXPECT_TRUE(desk.problems.empty()) << desk.problems.front().sentence;
+        EXPECT_TRUE(desk.problems.empty()) << say(desk.problems.front().sentence);
         desk.undo();
         EXPECT_FALSE(desk.params().projection.has_window());
     }
@@ -57,7 +57,8 @@ TEST(ProjectionWindow, AStretchedPictureIsMendedByLeftAndRight) {
     desk.params().projection.set_window({-0.1, 0.5, -0.1, 0.1});
     desk.settle();
     ASSERT_EQ(desk.problems.size(), 1U);
-    EXPECT_NE(desk.problems.front().sentence.find("the window is 3 times as wide as it is high"), std::string::npos);
+    EXPECT_NE(say(desk.problems.front().sentence).find("the window is 3 times as wide as it is high"),
+              std::string::npos);
     const std::vector<std::string> fix{desk.problems.front().fixed_by};
     const Result<Params> fixed = apply_settings(desk.params(), fix, "fix");
     ASSERT_TRUE(fixed) << fixed.error();

@@ -104,7 +104,7 @@ std::string told_text() {
                 lines.push_back(std::string(tr(file.title.c_str())) + ". " + tr(file.about.c_str()));
     }
     if (!hides_something())
-        for (const Problem& problem : studio.shown().problems) lines.push_back(problem.sentence);
+        for (const Problem& problem : studio.shown().problems) lines.push_back(say(problem.sentence));
     lines.push_back(studio.session.message.text);
     std::string text;
     for (const std::string& line : lines)
@@ -141,7 +141,7 @@ constexpr double noticed_ms = 500.0;
 /// message's time on screen.
 void tell_standstill() {
     const double ms = take_standstill_ms();
-    Message& message = page->studio.session.message;
+    StatusMessage& message = page->studio.session.message;
     if (ms < noticed_ms || message.is_error) return;
     message = {
         say("This took {time} s, and the page froze: this browser cannot suspend WebAssembly. Chrome, Edge and Firefox "

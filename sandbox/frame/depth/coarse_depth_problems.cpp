@@ -49,13 +49,12 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
     for (const SeenImage& image : images) farthest = std::max(farthest, image.farthest);
     farthest = std::clamp(farthest, lens.near, lens.far);
     if (unresolved_share(params, derived, farthest) < visible_share) return;
-    std::vector<SeenThing> seen = seen_things(params, derived, scene), mirrored;
-    for (SeenThing& thing : seen) thing.name = object_text(thing.name);
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    std::vector<SeenThing> mirrored;
     // An oblique near plane changes the depth of images: mirror_problems.cpp reports that.
     for (const SeenImage& image : images)
         if (image.is_shown && params.reflection.clip != MirrorClip::oblique)
-            mirrored.push_back({say("the mirror image of {object}", "object"_a = object_text(image.name)),
-                                image.nearest, std::min(image.farthest, lens.far)});
+            mirrored.push_back({image.name, image.nearest, std::min(image.farthest, lens.far)});
     const auto farthest_of = [](const std::vector<SeenThing>& things) {
         const SeenThing* found = nullptr;
         for (const SeenThing& thing : things)
@@ -63,18 +62,20 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
         return found;
     };
     const SeenThing* worst = farthest_of(seen);
-    if (!worst || unresolved_share(params, derived, worst->farthest) < visible_share) worst = farthest_of(mirrored);
+    const bool is_image = !worst || unresolved_share(params, derived, worst->farthest) < visible_share;
+    if (is_image) worst = farthest_of(mirrored);
     if (!worst) return;
     const double share = unresolved_share(params, derived, worst->farthest);
     if (share < visible_share) return;
     const double gap = fighting_onset(depth_coding(params, derived), worst->farthest).gap();
+    const Message object = object_message(worst->name);
     tell.broken(
         true,
         sentence("depth.too_coarse",
                  "at {object} (z = {z}), depth does not resolve gaps below {gap}, {percent} of the picture's height "
                  "there: where surfaces meet, the wrong one may win",
-                 "object"_a = worst->name, "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2),
-                 "percent"_a = percent(share)),
+                 "object"_a = is_image ? message("the mirror image of {object}", "object"_a = object) : object,
+                 "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2), "percent"_a = percent(share)),
         finer_depth(params, derived, seen, worst->farthest));
 }
 
@@ -147,9 +148,9 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
             return a.pair->gap() * b.needed < b.pair->gap() * a.needed;
         });
     const auto name = [&](int object) {
-        return object_text(scene.objects[static_cast<std::size_t>(object)].description.name);
+        return object_message(scene.objects[static_cast<std::size_t>(object)].description.name);
     };
-    const std::string first = name(worst.pair->first), second = name(worst.pair->second);
+    const Message first = name(worst.pair->first), second = name(worst.pair->second);
     const bool is_decal = worst.pair->has_one_decal();
     Params finer = params;
     if (const std::optional<double> near = largest_near(seen_things(params, derived, scene)))
@@ -205,7 +206,7 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
                         sentence("depth.object_in_plane",
                                  "{object} lies in {plane} itself: where their depths round to the same code, the two "
                                  "fight",
-                                 "object"_a = object_text(object.description.name),
+                                 "object"_a = object_message(object.description.name),
                                  "plane"_a = planes_name(std::array{index}, planes.size())),
                         index > 0 ? ""
                                   : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +

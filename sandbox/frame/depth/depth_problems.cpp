@@ -199,15 +199,15 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
     if (start > params.projection.far * (1.0 - 1e-3)) return;
     if (objects_at_most(scene, glm::transpose(derived.view_from_world)[2], -start).empty()) return;
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-    std::vector<std::string> names;
+    std::vector<Message> names;
     for (const SeenThing& thing : seen)
-        if (!thing.is_plane && thing.farthest > start) names.push_back(object_text(thing.name));
+        if (!thing.is_plane && thing.farthest > start) names.push_back(object_message(thing.name));
     tell.broken(
         !names.empty(),
         sentence("depth.code_of_cleared",
                  "at z = {z} and beyond, depth has the same code as the cleared buffer: GL_LESS rejects every fragment "
                  "of {objects} there",
-                 "z"_a = figures(start, 3), "objects"_a = joined(names)),
+                 "z"_a = figures(start, 3), "objects"_a = listed(names)),
         "depth.format");
 }
 

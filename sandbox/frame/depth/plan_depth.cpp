@@ -37,8 +37,8 @@ namespace {
 Pass without_marks(const Pass& objects) {
     Pass pass = objects;
     fill_picture(pass, 0.0, 1.0);
-    pass.name = tr("Clear marks");
-    pass.reason = tr("clears the planes' marks from the stencil, so that they are not mistaken for object marks");
+    pass.name = message("Clear marks");
+    pass.reason = message("clears the planes' marks from the stencil, so that they are not mistaken for object marks");
     pass.color_write = false;
     pass.depth = without_depth;
     pass.stencil = stencil_of_wiping();
@@ -57,8 +57,8 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     Pass& objects = *found;
     objects.chosen = Chosen::bases;
     Pass decals = objects;
-    decals.name = tr("Decals");
-    decals.reason = tr("draws decals where their depth equals that of the surface below");
+    decals.name = message("Decals");
+    decals.reason = message("draws decals where their depth equals that of the surface below");
     decals.chosen = Chosen::decals;
     decals.depth.write = false;
     decals.offset = DepthOffset{};
@@ -68,7 +68,7 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
         objects.marks_objects = decals.marks_objects = true;
         objects.stencil = stencil_of_decal_bases();
         decals.reason =
-            tr("draws decals where the stencil shows that the surface below is visible: depth plays no part");
+            message("draws decals where the stencil shows that the surface below is visible: depth plays no part");
         decals.depth.test = false;
         decals.stencil = stencil_of_decals();
     }

@@ -46,15 +46,15 @@ bool keeps_plane(const glm::dmat4& matrix, const PlanePatch& patch) {
 }
 
 /// Returns "S" for the first plane and light, otherwise "S of plane 2, light 1".
-std::string shadow_name(std::size_t plane, std::size_t light) {
+Message shadow_name(std::size_t plane, std::size_t light) {
     return plane == 0 && light == 0
-               ? "S"
-               : say("S of plane {plane}, light {light}", "plane"_a = plane + 1, "light"_a = light + 1);
+               ? Message("S")
+               : message("S of plane {plane}, light {light}", "plane"_a = plane + 1, "light"_a = light + 1);
 }
 
 /// Returns "R" for the first plane, otherwise "R of plane 2".
-std::string mirror_name(std::size_t plane) {
-    return plane == 0 ? "R" : say("R of plane {plane}", "plane"_a = plane + 1);
+Message mirror_name(std::size_t plane) {
+    return plane == 0 ? Message("R") : message("R of plane {plane}", "plane"_a = plane + 1);
 }
 
 /// Returns a light as "(1, 4, 2)" or, if it is parallel, as "(1, 4, 2, 0)".
@@ -102,7 +102,7 @@ bool is_right_transposed(const ExplainedMatrix& found, const glm::dmat4& matrix)
 /// Identifies a wrong S or R entered by hand; returns nothing if it is right or not recognized. `matrix` is its name,
 /// `letter` the letter of the right matrix.
 std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat4& entries, char letter,
-                                   const std::string& matrix) {
+                                   const Message& matrix) {
     if (found.letter != 'S' && found.letter != 'R') return std::nullopt;
     const std::string plane = found.found_plane ? plane_text(*found.found_plane) : "";
     const std::string light = found.found_light ? light_text(*found.found_light) : "";
@@ -170,7 +170,7 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
 /// Reports the first property of S that a matrix lacks: S sends points to the plane, sends the light to 0, and keeps
 /// the plane's points in place.
 void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of, const CastShadow& cast,
-                       const std::string& matrix) {
+                       const Message& matrix) {
     const double size = by_hand_tolerance * largest_entry(s);
     // Here, Πᵀ S is a row vector times a matrix; if it is 0, every image lies in the plane.
     const bool lands = largest_component(of.unit_plane * s) <= size;
@@ -194,7 +194,7 @@ void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of,
 
 /// Reports the first property of R that a matrix lacks: R keeps the plane's points in place, and sends a point off the
 /// plane to its mirror image.
-void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& matrix) {
+void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const Message& matrix) {
     const PlanePatch& patch = of.patch;
     const glm::dvec3 normal(of.unit_plane), q = patch.center + normal;
     const bool keeps = keeps_plane(of.mirrored_world_from_world, patch);
@@ -215,7 +215,7 @@ void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& deriv
     const DerivedPlane& of = derived.planes[plane];
     const CastShadow& cast = of.shadows[light];
     const glm::dmat4& s = cast.shadowed_world_from_world;
-    const std::string matrix = shadow_name(plane, light);
+    const Message matrix = shadow_name(plane, light);
     tell(true, sentence("by_hand.shadow", "{matrix} is entered by hand: the plane and the light no longer change it",
                         "matrix"_a = matrix));
     if (!params.shadow.enabled || !of.receives_shadow || !cast.reaches(of.eye_side)) return;
@@ -249,7 +249,7 @@ void find_by_hand_problems(std::vector<Problem>& problems, const Params& params,
     for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
         const DerivedPlane& of = derived.planes[plane];
         if (!of.mirror_by_hand) continue;
-        const std::string matrix = mirror_name(plane);
+        const Message matrix = mirror_name(plane);
         tell_mirror(true, sentence("by_hand.mirror", "{matrix} is entered by hand: the plane no longer changes it",
                                    "matrix"_a = matrix));
         if (!params.reflection.enabled || !of.mirrors || of.eye_side == 0.0) continue;

@@ -51,7 +51,7 @@ bool tell_fault(Sayer& tell, char letter, const char* path, const glm::dmat4& ma
     if (found.letter != 0 && found.letter != letter) {
         tell.broken(true,
                     sentence("by_hand.other_matrix", "{matrix} entered by hand is another matrix: {title}",
-                             "matrix"_a = name, "title"_a = tr(matrix_title(found.letter))),
+                             "matrix"_a = name, "title"_a = message(fmt::runtime(matrix_title(found.letter)))),
                     path);
         return true;
     }
@@ -60,7 +60,7 @@ bool tell_fault(Sayer& tell, char letter, const char* path, const glm::dmat4& ma
         return false;
     tell.broken(true,
                 sentence("by_hand.wrong_camera", "{matrix} entered by hand is wrong: {fault}", "matrix"_a = name,
-                         "fault"_a = tr(fault_words(found).wrong)),
+                         "fault"_a = message(fmt::runtime(fault_words(found).wrong))),
                 fix_of(path, matrix, found));
     return true;
 }

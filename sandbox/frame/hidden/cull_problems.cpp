@@ -37,10 +37,10 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
     Sayer tell(problems, "visibility");
     say_epsilon(tell, params, derived, scene);
     if (!cull.enabled) return;
-    std::vector<std::string> usual, mirrored;
+    std::vector<Message> usual, mirrored;
     for (const SceneObject& object : scene.objects)
         if (is_in_view(object, params, derived))
-            (is_mirrored(object) ? mirrored : usual).push_back(object_text(object.description.name));
+            (is_mirrored(object) ? mirrored : usual).push_back(object_message(object.description.name));
     if (cull.face == CullFace::front_and_back)
         return tell.broken(
             !usual.empty() || !mirrored.empty() || !images.empty(),
@@ -64,7 +64,7 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
         sentence("cull.negative_scale",
                  "the scale of {objects} is negative, which reverses the winding: front faces are clockwise and are "
                  "culled as back faces",
-                 "objects"_a = joined(mirrored)),
+                 "objects"_a = listed(mirrored)),
         "cull.enabled");
 }
 

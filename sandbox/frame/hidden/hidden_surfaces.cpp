@@ -97,8 +97,8 @@ std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
 
 }  // namespace
 
-std::string sentence_of_canceled() {
-    return tr("The method was canceled: the picture is not finished.");
+Message sentence_of_canceled() {
+    return message("The method was canceled: the picture is not finished.");
 }
 
 HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene, const WorkProgress* progress)
@@ -207,7 +207,7 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
                    [](int id) { return id != IdImage::background ? 1U : 0U; });
     result.image = std::move(cast.image);
     if (is_canceled(progress)) {
-        result.problem = tr("Ray casting was canceled: the rest of the picture is empty.");
+        result.problem = message("Ray casting was canceled: the rest of the picture is empty.");
         rays_ = {};
     }
 }

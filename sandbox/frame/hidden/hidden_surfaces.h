@@ -98,12 +98,12 @@ struct HiddenResult {
     double time_ms = 0.0;                          ///< of the method alone, for all steps, without painting_ms
     double painting_ms = 0.0;                      ///< of painting in the method's order
     double build_ms = 0.0;                         ///< of data made once for all cameras: tree, hierarchy
-    std::string problem;                           ///< a sentence if the method stopped at a budget or was canceled
+    Message problem;                               ///< a sentence if the method stopped at a budget or was canceled
     bool is_canceled = false;
 };
 
 /// Returns the sentence for a canceled method that has no sentence of its own.
-std::string sentence_of_canceled();
+Message sentence_of_canceled();
 
 /// Returns whether rays intersect the exact curved shapes. Because culling distinguishes front and back faces, rays
 /// intersect the shapes' triangles instead while it is on.

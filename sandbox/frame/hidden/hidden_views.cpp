@@ -60,7 +60,7 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
     return question;
 }
 
-std::string HiddenAnswer::problem() const {
+Message HiddenAnswer::problem() const {
     for (const auto* drawing : {&pictures.camera, &pictures.mirrored})
         if (*drawing && (*drawing)->is_cut) return sentence_of_canceled();
     for (const auto* result : {&mirrored, &other})

@@ -30,7 +30,7 @@ struct HiddenAnswer {
     std::optional<WrongPair> painter_fails{};  ///< the worst error of the painter's algorithm, in a small picture
 
     /// Returns a sentence if a method stopped at a budget or was canceled; otherwise empty.
-    std::string problem() const;
+    Message problem() const;
 };
 
 /// Checks that the scene is not too large for the question (hidden_budget.h).

@@ -22,18 +22,20 @@ bool reaches_beyond(const Bounds& bounds, const glm::dvec4& plane) {
 /// A surface that a method found for a pixel has already won its comparisons.
 constexpr DepthState found_depth{.test = true, .func = CompareFunc::always, .write = true};
 
-const char* reason_of(Subject subject) {
-    return subject == Subject::pixels ? tr("shades the surface that the method found for each pixel, and stores its "
-                                           "depth")
-                                      : tr("draws the polygons over one another, in the order that the method found");
+Message reason_of(Subject subject) {
+    return subject == Subject::pixels
+               ? message(
+                     "shades the surface that the method found for each pixel, and stores its "
+                     "depth")
+               : message("draws the polygons over one another, in the order that the method found");
 }
 
 void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     const glm::dvec4 towards_eye = plane_facing(derived.planes.front().unit_plane, derived.eye_world);
     Pass beyond = passes.back();
-    beyond.name = tr("Objects beyond the plane");
+    beyond.name = message("Objects beyond the plane");
     beyond.clip_planes = {-towards_eye};
-    passes.back().name = tr("Objects in front of the plane");
+    passes.back().name = message("Objects in front of the plane");
     passes.back().clip_planes = {towards_eye};
     // A mirror's patch is transparent to its image, but must not show the objects behind it: the mask excludes them.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
@@ -43,9 +45,9 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
 
 }  // namespace
 
-Pass difference_pass(const char* reason) {
+Pass difference_pass(const Message& reason) {
     Pass pass;
-    pass.name = tr("Difference");
+    pass.name = message("Difference");
     pass.reason = reason;
     pass.subject = Subject::difference;
     pass.shading = Shading::flat;
@@ -78,8 +80,8 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         divide_by_the_patch(frame.passes, derived);
 
     if (params.view.shows != Shows::difference || !hidden.difference) return;
-    frame.passes.push_back(
-        difference_pass(tr("colors a pixel red where the two methods see different polygons, and dims all others")));
+    frame.passes.push_back(difference_pass(
+        message("colors a pixel red where the two methods see different polygons, and dims all others")));
 }
 
 void count_overdraw(FramePlan& frame) {

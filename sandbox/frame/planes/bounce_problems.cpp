@@ -77,8 +77,8 @@ void find_bounce_problems(std::vector<Problem>& problems, const Params& params, 
                              "{depth} of {bounces} bounces are drawn: more would redraw the scene too often or exceed "
                              "the stencil's range",
                              "depth"_a = depth, "bounces"_a = params.reflection.bounces));
-    const std::string unreflected =
-        depth == 1 ? tr("a mirror seen in a mirror") : say("the mirror after {depth} bounces", "depth"_a = depth);
+    const Message unreflected = depth == 1 ? message("a mirror seen in a mirror")
+                                           : message("the mirror after {depth} bounces", "depth"_a = depth);
     if (is_endless)
         return tell.broken(
             true,

@@ -80,7 +80,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
         glm::dvec4 before_cleared_code =
             glm::transpose(derived.view_from_world * mirror.plane.mirrored_world_from_world)[2];
         before_cleared_code.w += std::min(start_of_cleared_code(params), 2.0 * params.lens().shown_far());
-        std::vector<std::string> in_front, touching;
+        std::vector<Message> in_front, touching;
         for (const SceneObject& object : scene.objects) {
             std::vector<glm::dvec4> forms = {before_cleared_code};
             for (const glm::dvec4& form : forms_in_front(params, derived, mirror)) forms.push_back(form);
@@ -89,21 +89,21 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
             const double gap = std::max(coarse_gap(params, derived, mirror, object), fits ? 0.0 : standing);
             forms.back().w += standing + gap;
             if (is_in_front || (gap > 0.0 && may_reach(object, forms)))
-                (is_in_front ? in_front : touching).push_back(object_text(object.description.name));
+                (is_in_front ? in_front : touching).push_back(object_message(object.description.name));
         }
         if (!in_front.empty())
             return tell.broken(true,
                                sentence("reflection.image_in_front",
                                         "without the stencil, the mirror does not cover the image of {objects}, which "
                                         "lies in front of it",
-                                        "objects"_a = joined(in_front)),
+                                        "objects"_a = listed(in_front)),
                                "reflection.stencil");
         if (!touching.empty())
             return tell.broken(true,
                                sentence("reflection.image_touches",
                                         "without the stencil, depth decides where the mirror covers its image: where "
                                         "{objects} nearly touch the mirror, image and mirror have the same code",
-                                        "objects"_a = joined(touching)),
+                                        "objects"_a = listed(touching)),
                                "reflection.stencil");
     }
 }
@@ -172,15 +172,15 @@ void say_shown_through(Sayer& tell, const Params& params, const Derived& derived
     if (!params.reflection.after_objects || params.reflection.stencil) return;
     for (const Mirror& mirror : mirrors) {
         const std::vector<glm::dvec4> forms = forms_over_patch(derived, mirror, -mirror.towards_eye());
-        std::vector<std::string> behind;
+        std::vector<Message> behind;
         for (const SceneObject& object : scene.objects)
-            if (may_reach(object, forms)) behind.push_back(object_text(object.description.name));
+            if (may_reach(object, forms)) behind.push_back(object_message(object.description.name));
         if (!behind.empty())
             return tell.broken(true,
                                sentence("reflection.shows_through",
                                         "the mirror is drawn last and blended: without the stencil, what is behind it "
                                         "shows through: {objects}",
-                                        "objects"_a = joined(behind)),
+                                        "objects"_a = listed(behind)),
                                "reflection.after_objects");
     }
 }

@@ -93,18 +93,18 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                 fix(way));
     }
     for (const WayThroughMirrors& way : ways) {
-        std::vector<std::string> across, behind;
+        std::vector<Message> across, behind;
         for (const SceneObject& object : scene.objects) {
             if (!may_reach(object, way.forms_behind(standing))) continue;
             const glm::dvec4 in_front = way.side - glm::dvec4(0.0, 0.0, 0.0, standing);
-            (may_reach(object, {&in_front, 1}) ? across : behind).push_back(object_text(object.description.name));
+            (may_reach(object, {&in_front, 1}) ? across : behind).push_back(object_message(object.description.name));
         }
         if (!across.empty())
             return tell.broken(true,
                                sentence("reflection.object_across",
                                         "the mirror's plane cuts {objects}: the part behind it is mirrored too, and "
                                         "its image sticks out of the mirror",
-                                        "objects"_a = joined(across)),
+                                        "objects"_a = listed(across)),
                                fix(way));
         if (!behind.empty())
             return tell.broken(
@@ -112,7 +112,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                 sentence(
                     "reflection.object_behind",
                     "{objects} behind the mirror: without clipping, the mirror image appears in front of the mirror",
-                    "objects"_a = joined(behind)),
+                    "objects"_a = listed(behind)),
                 fix(way));
     }
 }

@@ -108,10 +108,10 @@ Level world_inside(const Level& outside, std::size_t mirror) {
 /// Returns a pass that resets color and depth inside the mask to the values at the start of the frame, because
 /// something has been drawn there.
 Pass fresh_picture(const Level& level, std::size_t plane) {
-    Pass pass =
-        level.pass(tr("Clear mirror"),
-                   tr("clears color and depth inside the mask: everything drawn there so far lies behind the mirror"),
-                   Subject::backdrop);
+    Pass pass = level.pass(
+        message("Clear mirror"),
+        message("clears color and depth inside the mask: everything drawn there so far lies behind the mirror"),
+        Subject::backdrop);
     const Color background = ground_of(level.params.ui.theme).background;
     const bool reversed = level.params.depth.mapping == DepthMapping::reversed;
     const double far_clip = reversed ? (level.derived.clip_zero_to_one ? 0.0 : -1.0) : 1.0;
@@ -161,8 +161,8 @@ int reflection_depth(const Params& params, const Derived& derived) {
     return depth;
 }
 
-Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, std::string reason) {
-    Pass pass = level.patch_pass(name, std::move(reason), plane);
+Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, const Message& reason) {
+    Pass pass = level.patch_pass(name, reason, plane);
     pass.shading = Shading::flat;
     pass.color_write = false;
     pass.depth.write = false;
@@ -179,7 +179,7 @@ void add_mirror_image(std::vector<Pass>& passes, const Level& level, std::size_t
         return;
     }
     Pass mask = patch_mask(level, plane, {marked("Mirror mask"), marked("Mirror mask {plane}")},
-                           tr("marks the patch in the stencil buffer, so that the image stays inside the mirror"));
+                           message("marks the patch in the stencil buffer, so that the image stays inside the mirror"));
     mask.depth.write = reflection.mask_writes_depth;
     if (reflection.after_objects) mask.depth.test = false;
     passes.push_back(mask);

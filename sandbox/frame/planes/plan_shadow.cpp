@@ -62,9 +62,9 @@ void set_offset(Pass& pass, const Level& level, std::size_t plane) {
 }
 
 /// Returns a pass that flattens the casters onto the plane with S and draws them as the level sees them.
-Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::string name, std::string reason) {
+Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, const Message& name, const Message& reason) {
     const CastShadow& cast = level.plane(plane).shadows[light];
-    Pass pass = level.pass(std::move(name), std::move(reason), Subject::objects);
+    Pass pass = level.pass(name, reason, Subject::objects);
     pass.plane = plane;
     pass.light = light;
     pass.shading = Shading::flat;
@@ -80,10 +80,10 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     return pass;
 }
 
-std::string name_without(const Level& level, std::span<const std::size_t> missing) {
-    if (missing.empty()) return tr("Patch in the light");
-    if (level.derived.lights_world.size() == 1) return tr("Patch in shadow");
-    return say("Patch without light {lights}", "lights"_a = numbers_name(missing));
+Message name_without(const Level& level, std::span<const std::size_t> missing) {
+    if (missing.empty()) return message("Patch in the light");
+    if (level.derived.lights_world.size() == 1) return message("Patch in shadow");
+    return message("Patch without light {lights}", "lights"_a = numbers_name(missing));
 }
 
 }  // namespace
@@ -96,9 +96,10 @@ void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plan
     const double opacity = lights.size() == 1 ? shadow.opacity : 1.0 - std::pow(1.0 - shadow.opacity, share);
     const bool is_alone = level.derived.lights_world.size() == 1;
     for (const std::size_t light : lights) {
-        Pass pass = shadow_pass(level, plane, light,
-                                is_alone ? tr("Shadow") : say("Shadow of light {light}", "light"_a = light + 1),
-                                tr("draws the casters once more through S, flattened onto the plane"));
+        Pass pass =
+            shadow_pass(level, plane, light,
+                        is_alone ? message("Shadow") : message("Shadow of light {light}", "light"_a = light + 1),
+                        message("draws the casters once more through S, flattened onto the plane"));
         pass.color = color_of(shadow.color, opacity);
         pass.blend = Blend::alpha;
         pass.depth.write = shadow.write_depth && level.params.depth.write;
@@ -112,14 +113,14 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
     const bool mirrors = level.mirrors(plane);
     if (!(mirrors && level.params.reflection.stencil))
         passes.push_back(patch_mask(level, plane, {marked("Receiver mask"), marked("Receiver mask {plane}")},
-                                    tr("marks the patch in the stencil buffer as a shadow receiver")));
+                                    message("marks the patch in the stencil buffer as a shadow receiver")));
     const std::vector<std::size_t> lights = level.casting_lights(plane);
     const bool is_alone = level.derived.lights_world.size() == 1;
     for (const std::size_t light : lights) {
-        Pass mask =
-            shadow_pass(level, plane, light,
-                        is_alone ? tr("Shadow mask") : say("Shadow mask of light {light}", "light"_a = light + 1),
-                        tr("marks the pixels that the light does not reach; draws no color yet"));
+        Pass mask = shadow_pass(
+            level, plane, light,
+            is_alone ? message("Shadow mask") : message("Shadow mask of light {light}", "light"_a = light + 1),
+            message("marks the pixels that the light does not reach; draws no color yet"));
         mask.color_write = false;
         mask.depth.test = false;
         mask.stencil = stencil_of_shadow(level, plane, light);
@@ -134,10 +135,11 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
         }
         Pass patch = patch_surface(level, plane, shining, mirrors);
         patch.name = level.placed(name_without(level, missing));
-        patch.reason = missing.empty() ? tr("where the stencil marks no shadow, the patch is fully lit")
-                       : shining.empty()
-                           ? tr("where the stencil marks a shadow, only ambient light arrives")
-                           : tr("where the stencil marks the shadows of these lights, only the other lights arrive");
+        patch.reason =
+            missing.empty() ? message("where the stencil marks no shadow, the patch is fully lit")
+            : shining.empty()
+                ? message("where the stencil marks a shadow, only ambient light arrives")
+                : message("where the stencil marks the shadows of these lights, only the other lights arrive");
         patch.stencil = stencil_of_patch_without(level, plane, missing);
         passes.push_back(patch);
     }

@@ -36,7 +36,7 @@ glm::dmat4 seen_on_patch(const ShadowParams& shadow, const DerivedPlane& plane, 
 struct Thrown {
     const DerivedPlane& plane;
     const CastShadow& cast;
-    std::string light_name, plane_name;
+    Message light_name, plane_name;
     bool has_anti_shadow = false;  ///< that may be seen
     bool is_drawn = true;          ///< false: an S filled by rows sends it out of the picture
 
@@ -143,9 +143,9 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived,
 
 /// Reports casters beyond a point light. Returns whether there are any.
 bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
-    const std::string beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
+    const Message beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : Message();
     if (beyond.empty()) return false;
-    const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
+    const Message across = shadow.clip_at_light ? Message() : objects_across(scene, one.right_w(), 0.0);
     if (one.has_anti_shadow)
         across.empty()
             ? tell.broken(
@@ -180,12 +180,12 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
 /// whether any shadow is left.
 bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Derived& derived,
                  const Scene& scene) {
-    std::vector<std::string> vanishing;
+    std::vector<Message> vanishing;
     for (const Thrown& one : thrown)
         if (shadow.sign == ShadowSign::none && one.side() < 0.0 &&
             lands_inside(scene, {seen_on_patch(shadow, one.plane, one.cast, one.side(), derived.eye_world),
                                  derived.clip_from_world, one.towards_light(), one.plane.patch}))
-            vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
+            vanishing.push_back(message("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
     tell.broken(
         vanishes && all_vanish,
@@ -198,10 +198,10 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
         sentence("shadow.vanishes",
                  "S is uploaded unchanged, and n·ℓ + d < 0 for {shadows}: every caster gets a negative w, so clipping "
                  "removes that shadow",
-                 "shadows"_a = joined(vanishing)),
+                 "shadows"_a = listed(vanishing)),
         "shadow.sign");
     for (const Thrown& one : thrown) {
-        const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
+        const Message names = shadow.clip_casters ? Message() : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
         tell.broken(
             true,

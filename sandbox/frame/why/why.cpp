@@ -47,7 +47,7 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
         }
         made.rows.push_back({.kind = WhyRow::Kind::fault,
                              .title = tr("Wrong here"),
-                             .sentence = ended(problem.sentence),
+                             .sentence = ended(say(problem.sentence)),
                              .after = fixed,
                              .fix = problem.fixed_by});
     }

@@ -14,7 +14,7 @@ std::string light_title(std::size_t light, std::size_t count) {
 }
 
 std::string name_of_light(const WhyQuestion& question, std::size_t light) {
-    return light_name(light, question.derived.lights_world.size());
+    return say(light_name(light, question.derived.lights_world.size()));
 }
 
 /// Capitalizes the first letter of a sentence, which may begin with a name; "n·ℓ" stays as it is.

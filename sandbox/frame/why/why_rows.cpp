@@ -129,7 +129,8 @@ glm::dvec3 eye_for(const Derived& derived, const glm::dvec3& point) {
 std::string surface_name(const WhyQuestion& question, int object_index) {
     if (object_index == no_object) return tr("the whole picture");
     if (object_index < 0)
-        return planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size());
+        return say(
+            planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size()));
     return object_text(question.finder.scene().objects[static_cast<std::size_t>(object_index)].description.name);
 }
 

@@ -84,7 +84,7 @@ Form<int> whole(int min, int max) {
 }
 
 Form<Color> color() {
-    return {"a color", &Json::is_string, read_color, [](Json&) { return color_schema(); }};
+    return {"a color \"#rrggbb\"", &Json::is_string, read_color, [](Json&) { return color_schema(); }};
 }
 
 Form<glm::dvec3> vec3(const Range& range, const std::string& what) {

@@ -117,7 +117,7 @@ Form<Enum> choice(std::span<const char* const> names) {
 /// How many items a list has, and the message for fewer.
 struct Count {
     std::size_t most, least = 0;
-    const char* too_few = "must not be empty";
+    const char* too_few = "must not be empty";  ///< nullptr: the message for too many
 };
 
 /// A list whose first items have forms of their own; those after them are like the last one.
@@ -126,7 +126,8 @@ Form<std::vector<V>> list(const std::vector<Form<V>>& forms, const std::string& 
     const auto items = std::make_shared<const std::vector<Form<V>>>(forms);  // closures are copied often
     const auto read = [=](const Json& value, const Where& where) {
         require_array(value, where, count.most, what);
-        if (value.size() < count.least) where.refuse(count.too_few);
+        if (value.size() < count.least && count.too_few) where.refuse(count.too_few);
+        if (value.size() < count.least) refuse_value(value, where, what);
         std::vector<V> values;
         for (std::size_t i = 0; i < value.size(); ++i)
             where.part([&] { values.push_back((*items)[std::min(i, items->size() - 1)].read(value[i], where.at(i))); });

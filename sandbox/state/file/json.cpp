@@ -18,12 +18,6 @@ std::string default_text(const Field& field) {
     return print_document(field_as_json(field, defaults));
 }
 
-bool has_range(const Field& field) {
-    const std::string_view type = type_name(field);
-    return type == "int" || type == "number" || type == "vec3" || type == "vec4" || type == "matrix" ||
-           type == "range" || type == "pixel" || type == "pin";
-}
-
 Json field_description(const Field& field) {
     Params defaults;
     Json json = {{"path", field.path}, {"type", type_name(field)}, {"label", field.label}, {"unit", field.unit}};
@@ -33,13 +27,7 @@ Json field_description(const Field& field) {
         json["step"] = field.step;
         json["logarithmic"] = field.logarithmic && field.min > 0.0;
     }
-    const FieldRef value = field.in(defaults);
-    if (const auto* choice = std::get_if<EnumRef>(&value)) {
-        json["values"] = std::vector<std::string>(choice->names.begin(), choice->names.end());
-    }
-    if (std::holds_alternative<std::vector<std::string>*>(value)) {
-        json["values"] = allowed_names(field);
-    }
+    if (const std::vector<std::string> names = allowed_names(field); !names.empty()) json["values"] = names;
     json["allowed"] = allowed_text(field);
     json["default"] = field_as_json(field, defaults);
     json["help"] = field.help;

@@ -19,6 +19,8 @@ std::string flight_schema();
 Json state_definition(Json& definitions);
 Json state_without_titles(Json& definitions);
 /// Returns the schema of a field's value.
+Json value_schema(const Field& field);
+/// Returns the same schema with the field's help and default.
 Json field_schema(const Field& field);
 
 }  // namespace viewing

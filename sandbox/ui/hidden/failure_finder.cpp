@@ -50,7 +50,7 @@ void take_failure(FailureFinder& finder, Session& session) {
     if (!*taken) return session.report(Error{taken->error()});
     const FailureView* const found = &**taken;
     if (found->canceled) return;
-    session.message = {found->sentence, false};
+    session.message = {say(found->sentence), false};
     if (!found->found) return;
     CameraParams& camera = session.params.camera;
     camera.position = found->position_world;

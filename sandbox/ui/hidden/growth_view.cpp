@@ -181,7 +181,7 @@ std::vector<std::string> sentences(const GrowthViewState& state) {
     std::string times = widgets::CurrentContext().is_on_stage ? "" : growth_times(shown_rows(state));
     if (!times.empty()) told.push_back(std::move(times));
     for (const GrowthRow& row : shown_rows(state))
-        if (!row.problem.empty()) told.push_back(row.problem);
+        if (!row.problem.empty()) told.push_back(say(row.problem));
     return told;
 }
 

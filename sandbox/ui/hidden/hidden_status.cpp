@@ -17,12 +17,13 @@ std::optional<Problem> painter_problem(const HiddenAnswer& answer) {
     const SceneSurface* surface = answer.camera->surface.get();
     const glm::ivec2 size_px = answer.question.camera.size_px;
     const double share = static_cast<double>(wrong.all_pixels) / static_cast<double>(wrong.compared);
-    return Problem{say("{drawn} is drawn after {seen}, which is nearer around pixel ({x}, {y}): about {share} of the "
-                       "picture is wrong",
-                       "drawn"_a = polygon_name(surface, wrong.drawn), "seen"_a = polygon_name(surface, wrong.seen),
-                       "x"_a = static_cast<int>(wrong.x * size_px.x), "y"_a = static_cast<int>(wrong.y * size_px.y),
-                       "share"_a = percent(share)),
-                   "visibility", ProblemKind::wrong, "visibility.method=newell"};
+    return Problem{
+        message("{drawn} is drawn after {seen}, which is nearer around pixel ({x}, {y}): about {share} of the "
+                "picture is wrong",
+                "drawn"_a = polygon_name(surface, wrong.drawn), "seen"_a = polygon_name(surface, wrong.seen),
+                "x"_a = static_cast<int>(wrong.x * size_px.x), "y"_a = static_cast<int>(wrong.y * size_px.y),
+                "share"_a = percent(share)),
+        "visibility", ProblemKind::wrong, "visibility.method=newell"};
 }
 
 std::string progress_text(float fraction) {

@@ -120,7 +120,7 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
 
 void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,
                              const HiddenStatus& hidden) {
-    const std::string of_method = hidden.answer ? hidden.answer->problem() : "";
+    const std::string of_method = hidden.answer ? say(hidden.answer->problem()) : "";
     if (!section("Hidden surfaces", problems, {"depth", "visibility"}, of_method)) return;
     const widgets::Group group("depth");
     Params& params = session.params;

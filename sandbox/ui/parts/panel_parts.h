@@ -26,7 +26,7 @@ inline bool section(const char* label, const std::vector<Problem>& problems,
     for (const Problem& problem : problems) {
         const bool is_told = std::find(groups.begin(), groups.end(), problem.group) != groups.end();
         if (!is_told || widgets::IsCovered("sentences")) continue;
-        sentences += (sentences.empty() ? "" : "\n") + problem.sentence;
+        sentences += (sentences.empty() ? "" : "\n") + say(problem.sentence);
         worst = std::min(worst, problem.kind);
     }
     if (!more.empty()) sentences += (sentences.empty() ? "" : "\n") + more;

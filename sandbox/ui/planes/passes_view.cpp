@@ -128,16 +128,16 @@ void entry(Session& session, const FramePlan& plan, int number, MarkedCalls& don
     if (!is_drawn) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
     ImGui::PushFont(context.fonts.heading);
     const std::string pass_number = std::to_string(number + 1);
-    const std::string title = pass_number + "  " + pass.name + "###headline";
+    const std::string title = pass_number + "  " + say(pass.name) + "###headline";
     const bool stops = can_stop(session);
     const ImGuiSelectableFlags flags = stops ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
     if (ImGui::Selectable(title.c_str(), stops && stop == number, flags)) stop = goes_on ? -1 : number;
     widgets::Record(("pass " + pass_number).c_str());
     ImGui::PopFont();
-    widgets::Tooltip(pass.name.c_str(), !stops    ? whole_frame
-                                        : goes_on ? marked("Click to draw the whole frame.")
-                                                  : marked("Click to stop the frame after this pass."));
-    widgets::Note(pass.reason.c_str());
+    widgets::Tooltip(say(pass.name).c_str(), !stops    ? whole_frame
+                                             : goes_on ? marked("Click to draw the whole frame.")
+                                                       : marked("Click to stop the frame after this pass."));
+    widgets::Note(say(pass.reason).c_str());
     const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
     const glm::dmat4 uploaded = pass.clip_from_world * pass.world_from_scene;
     call_lines(gl_calls(plan, pass, before), done, &uploaded);

@@ -143,7 +143,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     const bool compares =
         has_button && session.params.view.beside.shows == Beside::nothing && width - fix - compare > px(200.0F);
     const float button = fix + (compares ? compare : 0.0F);
-    const std::string sentence = widgets::BrokenAtBlanks(problem.sentence, width - button, *font);
+    const std::string sentence = widgets::BrokenAtBlanks(say(problem.sentence), width - button, *font);
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, sentence.c_str());
     const ImVec2 at(rect.min.x + 2.0F * margin, top), size(sign + text.x + button, text.y);
     const float next = at.y + size.y + px(12.0F);

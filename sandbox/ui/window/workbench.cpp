@@ -142,7 +142,7 @@ const NamedFile* Workbench::preset_at(const Session& session, int places) const 
     return preset();
 }
 
-double Workbench::message_ends_in_s(const Message& message) {
+double Workbench::message_ends_in_s(const StatusMessage& message) {
     constexpr double lasts_s = 8.0;
     return message.is_error || message.text.empty() ? -1.0 : std::max(lasts_s - message.shown_s, 0.0);
 }

@@ -100,7 +100,7 @@ public:
     /// Returns the preset whose thumbnail should be rendered into Pictures; "" for none.
     const std::string& wanted_preset_picture() const { return preset_picker_.wanted_picture(); }
     /// Returns the seconds until a success message disappears from the status bar; negative: there is none.
-    static double message_ends_in_s(const Message& message);
+    static double message_ends_in_s(const StatusMessage& message);
 
     /// Covers, marks and arranges what the lesson's current step says. Call it before layout().
     void set_stage();

@@ -155,8 +155,8 @@ TEST(ObjectReach, MatchesATestOfEveryVertex) {
         const std::string both = names_linear(scene, [&](const SceneObject& object) {
             return any_linear(object, is_below) && any_linear(object, is_above);
         });
-        ASSERT_EQ(objects_at_most(scene, plane, limit), below) << i;
-        ASSERT_EQ(objects_across(scene, plane, limit), both) << i;
+        ASSERT_EQ(say(objects_at_most(scene, plane, limit)), below) << i;
+        ASSERT_EQ(say(objects_across(scene, plane, limit)), both) << i;
         some += below.empty() ? 0 : 1;
         across += both.empty() ? 0 : 1;
     }

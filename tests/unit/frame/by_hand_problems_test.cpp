@@ -31,7 +31,7 @@ std::vector<std::string> broken_by_hand(const Params& params) {
     find_by_hand_problems(problems, params, derive(params, testing::box_scene(), {}));
     std::vector<std::string> sentences;
     for (const Problem& problem : problems)
-        if (problem.kind == ProblemKind::wrong) sentences.push_back(problem.sentence);
+        if (problem.kind == ProblemKind::wrong) sentences.push_back(say(problem.sentence));
     return sentences;
 }
 

@@ -133,7 +133,7 @@ TEST(CameraByHand, EachFaultIsNamedAndItsFixRepairsThePicture) {
             const std::vector<Problem> problems = problems_by_hand(params);
             const Problem* const problem = problem_with_id(problems, "by_hand.wrong_camera");
             ASSERT_TRUE(problem) << trial << " " << each.said;
-            EXPECT_NE(problem->sentence.find(each.said), std::string::npos) << problem->sentence;
+            EXPECT_NE(say(problem->sentence).find(each.said), std::string::npos) << say(problem->sentence);
             EXPECT_EQ(problem->kind, ProblemKind::wrong);
             const Result<Params> fixed = apply_settings(params, {&problem->fixed_by, 1});
             ASSERT_TRUE(fixed) << problem->fixed_by;
@@ -154,7 +154,8 @@ TEST(CameraByHand, ARightMatrixIsNeverCalledWrong) {
         params.camera_overrides.clip_from_view =
             glm::perspectiveRH_NO(random.number(0.3, 2), 16.0 / 9.0, n, n + random.number(5, 100));
         for (const Problem& problem : problems_by_hand(params))
-            EXPECT_FALSE(problem.kind == ProblemKind::wrong && problem.id.starts_with("by_hand")) << problem.sentence;
+            EXPECT_FALSE(problem.kind == ProblemKind::wrong && problem.id.starts_with("by_hand"))
+                << say(problem.sentence);
     }
 }
 
@@ -176,8 +177,9 @@ TEST(CameraByHand, OtherFixesThatHaveNoEffectAreNotOffered) {
     params.camera_overrides.clip_from_view = derived_by_hand(params).clip_from_view;
     bool is_said = false;
     for (const Problem& problem : problems_by_hand(params)) {
-        EXPECT_FALSE(problem.fixed_by.starts_with("projection")) << problem.sentence;
-        is_said = is_said || problem.sentence.find("0.0001") != std::string::npos || problem.id.starts_with("depth");
+        EXPECT_FALSE(problem.fixed_by.starts_with("projection")) << say(problem.sentence);
+        is_said =
+            is_said || say(problem.sentence).find("0.0001") != std::string::npos || problem.id.starts_with("depth");
     }
     EXPECT_TRUE(is_said) << "near is that of the entered P";
 }

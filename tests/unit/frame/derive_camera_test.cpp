@@ -263,7 +263,7 @@ TEST(DeriveEverything, IsFiniteForAnySetting) {
         EXPECT_TRUE(is_finite(observer.clip_from_world));
         for (const FramePlan& frame : {plan(params, derived), plan_observer(params, derived, observer)}) {
             for (const Pass& pass : frame.passes) {
-                EXPECT_TRUE(is_finite(pass.clip_from_world * pass.world_from_scene)) << pass.name;
+                EXPECT_TRUE(is_finite(pass.clip_from_world * pass.world_from_scene)) << say(pass.name);
                 EXPECT_FALSE(gl_calls(frame, pass, first_gl_state()).empty());
             }
         }

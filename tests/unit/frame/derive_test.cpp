@@ -235,7 +235,7 @@ TEST(DeriveFollowed, ReportsAMissingVertexOrObject) {
 
 TEST(DeriveProblems, AreAbsentInTheOpeningState) {
     const std::vector<Problem> problems = problems_of(Params{}, box_scene());
-    EXPECT_TRUE(problems.empty()) << problems.front().sentence;
+    EXPECT_TRUE(problems.empty()) << say(problems.front().sentence);
 }
 
 TEST(DeriveProblems, LightInThePlane) {
@@ -276,7 +276,7 @@ TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
         Params params;
         params.lights.front().position = {2.6, height, 2.2, 1.0};
         const std::vector<Problem> problems = problems_of(params, scene);
-        return problems.empty() ? std::string() : problems.front().sentence;
+        return problems.empty() ? std::string() : say(problems.front().sentence);
     };
     EXPECT_NE(problem_with_light_at(5.5).find("the part of high that is not between"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(5.5).find("low"), std::string::npos);
@@ -294,7 +294,7 @@ TEST(DeriveProblems, CasterBelowTheLightDespiteItsBounds) {
 TEST(DeriveProblems, ParallelLightHasNothingBeyondIt) {
     const Scene scene = scene_of({object("high", sphere_mesh(), {0, 600, 0})});
     for (const Problem& problem : problems_of(with_light_and_plane({2.6, 5.2, 2.2, 0}, {0, 1, 0, 0}), scene))
-        EXPECT_EQ(problem.group, "view") << problem.sentence;  // the sphere is too high to be in the picture
+        EXPECT_EQ(problem.group, "view") << say(problem.sentence);  // the sphere is too high to be in the picture
 }
 
 TEST(DeriveProblems, OverridesAreUsedAndReported) {

@@ -71,13 +71,13 @@ inline std::vector<Problem> problems_of(const Params& params, const Scene& scene
 using Names = std::vector<std::string>;
 inline Names names_of_passes(const FramePlan& frame) {
     Names names;
-    for (const Pass& pass : frame.passes) names.push_back(pass.name);
+    for (const Pass& pass : frame.passes) names.push_back(say(pass.name));
     return names;
 }
 
 inline bool says(const std::vector<Problem>& problems, std::string_view group, const std::string& words) {
     return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
-        return problem.group == group && problem.sentence.find(words) != std::string::npos;
+        return problem.group == group && say(problem.sentence).find(words) != std::string::npos;
     });
 }
 
@@ -181,7 +181,7 @@ inline std::set<std::string> differences(const FramePlan& a, const FramePlan& b)
         Pass& pass = changed.passes[index];
         for (const Member<Pass>& each : pass_members()) {
             if (each.is_same(pass, b.passes[index])) continue;
-            differing.insert(pass.name + "." + each.name);
+            differing.insert(say(pass.name) + "." + each.name);
             each.take(pass, b.passes[index]);
         }
     }

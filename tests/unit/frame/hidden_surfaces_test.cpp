@@ -198,7 +198,7 @@ TEST(HiddenSolver, ReportsCancellationAndForgetsIt) {
         WorkProgress progress;
         progress.canceled = true;
         const auto canceled = solver.solve(with_method(request, method), &progress);
-        EXPECT_TRUE(canceled->problem.ends_with(".")) << canceled->problem;
+        EXPECT_TRUE(say(canceled->problem).ends_with(".")) << say(canceled->problem);
         expect_same(*solver.solve(with_method(request, method)),
                     *HiddenSurfaceSolver(scene).solve(with_method(request, method)));
         EXPECT_EQ(solver.solve(with_method(request, method))->problem, "");
@@ -365,7 +365,7 @@ TEST(HiddenBudgetSlowTest, EndsWithASentenceAndAWholePicture) {
         HiddenRequest request = with_method(request_of(Params{}, scene, {16, 12}), method);
         request.visibility.splitter = BspSplitter::first;
         const auto result = solver.solve(request);
-        EXPECT_TRUE(result->problem.ends_with(".")) << result->problem;
+        EXPECT_TRUE(say(result->problem).ends_with(".")) << say(result->problem);
         const double clipped = result->newell ? result->newell->clipped_area : 0.0;
         EXPECT_NEAR(area_of_order(*result) + clipped, whole, 1e-9 * whole) << "no area is lost";
     }

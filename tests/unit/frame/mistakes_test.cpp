@@ -126,7 +126,7 @@ TEST(NoDepthBuffer, NothingIsTestedForAnySetting) {
     for (const char* const func : {"depth.func=less", "depth.func=never"}) {
         const Params without = params_with({"depth.buffer=false", func});
         for (const Pass& pass : plan(without, derived_with_slips(without)).passes)
-            EXPECT_FALSE(pass.depth.test) << pass.name;
+            EXPECT_FALSE(pass.depth.test) << say(pass.name);
     }
     const Params with = params_with({});
     const FramePlan usual = plan(with, derived_with_slips(with));

@@ -43,10 +43,10 @@ TEST(PlanHidden, SoftwareMethodsDrawWithoutTheDepthTest) {
                 SCOPED_TRACE(std::string(method) + " " + shows);
                 const FramePlan frame = plan_by({std::string("view.shows=") + shows}, scene, method);
                 for (const Pass& pass : frame.passes) {
-                    EXPECT_EQ(pass.depth.test, pass.subject == Subject::pixels) << pass.name;
+                    EXPECT_EQ(pass.depth.test, pass.subject == Subject::pixels) << say(pass.name);
                     if (!pass.depth.test) continue;
-                    EXPECT_EQ(pass.depth.func, CompareFunc::always) << pass.name;
-                    EXPECT_TRUE(pass.depth.write) << pass.name;
+                    EXPECT_EQ(pass.depth.func, CompareFunc::always) << say(pass.name);
+                    EXPECT_TRUE(pass.depth.write) << say(pass.name);
                 }
             }
     for (const Pass& pass : plan_by({}, scene_above(), "depth_buffer").passes) EXPECT_TRUE(pass.depth.test);
@@ -100,9 +100,9 @@ TEST(PlanHidden, OrdersAndPixelsReplaceTheObjects) {
         EXPECT_NE(frame.hidden.camera, frame.hidden.mirrored);
         EXPECT_EQ(frame.hidden.camera->pixels.size(), finds_pixels ? 32U * 24U : 0U);
         for (const Pass& pass : frame.passes) {
-            const bool shows_scene = pass.name == "Mirror image" || pass.name.starts_with("Objects");
+            const bool shows_scene = pass.name == "Mirror image" || say(pass.name).starts_with("Objects");
             const Subject expected = finds_pixels ? Subject::pixels : Subject::ordered;
-            EXPECT_EQ(pass.subject == expected, shows_scene) << pass.name;
+            EXPECT_EQ(pass.subject == expected, shows_scene) << say(pass.name);
             EXPECT_EQ(pass.is_mirror_image, pass.name == "Mirror image");
             if (pass.name == "Shadow") {
                 EXPECT_EQ(pass.subject, Subject::objects) << "shadows never depend on the method";
@@ -138,7 +138,7 @@ TEST(PlanHidden, OverdrawCountsOnlyTheScene) {
             EXPECT_EQ(frame.samples, 0);
             int counting = 0;
             for (const Pass& pass : frame.passes) {
-                EXPECT_EQ(pass.color_write, pass.name.starts_with("Objects")) << pass.name;
+                EXPECT_EQ(pass.color_write, say(pass.name).starts_with("Objects")) << say(pass.name);
                 if (!pass.color_write) continue;
                 ++counting;
                 EXPECT_EQ(pass.blend, Blend::add);

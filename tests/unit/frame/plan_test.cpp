@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "state/person/language.h"
+#include "text/catalogue.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 #include "unit/state/random_params.h"
@@ -28,10 +30,37 @@ FramePlan plan_with(const std::vector<std::string>& settings) {
 
 const Pass& pass_named(const FramePlan& frame, const std::string& name) {
     static const Pass missing;
-    const auto found =
-        std::find_if(frame.passes.begin(), frame.passes.end(), [&](const Pass& pass) { return pass.name == name; });
+    const auto found = std::find_if(frame.passes.begin(), frame.passes.end(),
+                                    [&](const Pass& pass) { return say(pass.name) == name; });
     EXPECT_NE(found, frame.passes.end()) << name;
     return found == frame.passes.end() ? missing : *found;
+}
+
+/// Returns the names and reasons of the passes in the current language.
+Names said_of(const FramePlan& frame) {
+    Names said;
+    for (const Pass& pass : frame.passes) said.insert(said.end(), {say(pass.name), say(pass.reason)});
+    return said;
+}
+
+TEST(PlanPasses, DoNotDependOnTheLanguage) {
+    const std::vector<std::string> several = {"lights=[{}]", "planes=[{\"mirrors\":true}]", "reflection.bounces=2",
+                                              "shadow.style=missing_light", "depth.decals=stencil"};
+    for (const std::vector<std::string>& settings : {std::vector<std::string>{}, several}) {
+        const FramePlan english = plan_with(settings);
+        const Names said = said_of(english);
+        ASSERT_TRUE(speak(Language::ko));
+        const FramePlan korean = plan_with(settings);
+        const Names said_in_korean = said_of(english);
+        speak_pseudo(std::vector<PoEntry>{{.english = "Objects", .translation = ""}});
+        const FramePlan pseudo = plan_with(settings);
+        EXPECT_NE(said_of(pseudo), said);
+        ASSERT_TRUE(speak(Language::en));
+        EXPECT_EQ(english, korean);
+        EXPECT_EQ(english, pseudo);
+        EXPECT_EQ(said, said_of(korean));
+        for (std::size_t i = 0; i < said.size(); ++i) EXPECT_NE(said[i], said_in_korean[i]);
+    }
 }
 
 TEST(PlanPasses, OfTheOpeningState) {
@@ -141,7 +170,7 @@ TEST(PlanPasses, PatchFacingAwayFromTheLightIsUnlit) {
 /// Returns the field's name once for every pass, after the name of the pass, such as "Shadow.depth".
 std::set<std::string> in_every_pass(const FramePlan& frame, const std::string& field) {
     std::set<std::string> keys;
-    for (const Pass& pass : frame.passes) keys.insert(pass.name + "." + field);
+    for (const Pass& pass : frame.passes) keys.insert(say(pass.name) + "." + field);
     return keys;
 }
 
@@ -561,20 +590,20 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
             EXPECT_FALSE(pass.reason.empty());
             EXPECT_LE(pass.clip_planes.size(), 2U);
             if (pass.stencil.test && pass.stencil.func == CompareFunc::equal && pass.stencil.reference != 0) {
-                EXPECT_TRUE(marked) << pass.name;
+                EXPECT_TRUE(marked) << say(pass.name);
             }
             marked |= pass.marks_objects;
             marked |= pass.subject == Subject::patch && pass.stencil.test && pass.stencil.func == CompareFunc::always &&
                       pass.stencil.on_pass == StencilOp::replace;
             if (pass.subject == Subject::patch && pass.color_write) ++patches;
             if (pass.subject == Subject::patch) {
-                EXPECT_FALSE(pass.cull.enabled) << pass.name;
+                EXPECT_FALSE(pass.cull.enabled) << say(pass.name);
             }
             if (pass.is_mirror_image) {
                 EXPECT_EQ(pass.cull.enabled, params.cull.enabled);
             }
-            EXPECT_TRUE(!pass.depth.test || params.depth.test) << pass.name;
-            EXPECT_TRUE(!pass.depth.write || params.depth.write) << pass.name;
+            EXPECT_TRUE(!pass.depth.test || params.depth.test) << say(pass.name);
+            EXPECT_TRUE(!pass.depth.write || params.depth.write) << say(pass.name);
         }
         if (params.view.shows != Shows::overdraw) {
             EXPECT_GE(patches, has_raster(params.visibility) ? 0 : 1) << "the patch is always drawn";

@@ -249,14 +249,15 @@ TEST(ProblemSentences, EachIsShownBySomeState) {
     for (const std::vector<std::string>& settings : box_states()) add(testing::params_with(settings), box_scene());
     add_others(shown);
     for (const Written& each : written)
-        EXPECT_TRUE(
-            std::any_of(shown.begin(), shown.end(),
-                        [&](const Problem& problem) { return problem.id == each.id && each.fits(problem.sentence); }))
+        EXPECT_TRUE(std::any_of(
+            shown.begin(), shown.end(),
+            [&](const Problem& problem) { return problem.id == each.id && each.fits(say(problem.sentence)); }))
             << each.id << ": " << each.english;
     for (const Problem& problem : shown) {
-        EXPECT_FALSE(problem.id.empty()) << problem.sentence;
-        for (const auto& [name, text] : problem.values)
-            EXPECT_NE(problem.sentence.find(text), std::string::npos) << problem.id << " " << name << " = " << text;
+        EXPECT_FALSE(problem.id.empty()) << say(problem.sentence);
+        for (const auto& [name, text] : problem.sentence.said_values())
+            EXPECT_NE(say(problem.sentence).find(text), std::string::npos)
+                << problem.id << " " << name << " = " << text;
     }
 }
 

@@ -23,7 +23,7 @@ TEST(ProblemFix, RemovesTheProblemOfEachPreset) {
         ASSERT_TRUE(scene) << scene.error();
         for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
             if (problem.fixed_by.empty()) continue;
-            SCOPED_TRACE(preset.name + ": " + problem.sentence);
+            SCOPED_TRACE(preset.name + ": " + say(problem.sentence));
             EXPECT_NE(problem.kind, ProblemKind::worth_knowing);
             const Result<Params> right =
                 apply_settings(state->params, std::vector<std::string>{std::string(problem.fixed_by)});
@@ -52,7 +52,7 @@ TEST(ProblemFix, MatchesTheFixOfThePreset) {
         int gone = 0;
         std::vector<std::string> offered;
         for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
-            if (problem.kind != ProblemKind::wrong || says(left, problem.group, problem.sentence)) continue;
+            if (problem.kind != ProblemKind::wrong || says(left, problem.group, say(problem.sentence))) continue;
             ++gone;
             if (!problem.fixed_by.empty()) offered.push_back(problem.fixed_by);
         }

@@ -5,6 +5,7 @@
 
 #include "frame_test.h"
 #include "state/fields.h"
+#include "state/person/language.h"
 #include "state/presets.h"
 
 namespace viewing {
@@ -23,7 +24,7 @@ std::vector<Problem> problems_with(const Settings& settings, const Scene& scene)
 
 std::string all_of(const std::vector<Problem>& problems) {
     std::string text;
-    for (const Problem& problem : problems) text += std::string(problem.group) + ": " + problem.sentence + "\n";
+    for (const Problem& problem : problems) text += std::string(problem.group) + ": " + say(problem.sentence) + "\n";
     return text;
 }
 
@@ -480,6 +481,23 @@ const std::vector<Case>& cases() {
     return all;
 }
 
+TEST(Problems, DoNotDependOnTheLanguage) {
+    std::size_t count = 0;
+    for (const NamedFile& preset : presets()) {
+        const testing::LoadedPreset loaded = testing::preset_named(preset.name);
+        ASSERT_TRUE(speak(Language::en));
+        const std::vector<Problem> english = testing::problems_of(loaded.params, loaded.scene);
+        std::vector<std::string> said;
+        for (const Problem& problem : english) said.push_back(say(problem.sentence));
+        ASSERT_TRUE(speak(Language::ko));
+        EXPECT_TRUE(english == testing::problems_of(loaded.params, loaded.scene)) << preset.name;
+        for (std::size_t i = 0; i < said.size(); ++i) EXPECT_NE(said[i], say(english[i].sentence));
+        count += said.size();
+    }
+    ASSERT_TRUE(speak(Language::en));
+    EXPECT_GT(count, 50U);
+}
+
 TEST(Problems, SwitchIsReportedOnlyWhereItShows) {
     for (const Case& each : cases()) {
         const auto trace = [](const Settings& settings) {
@@ -547,7 +565,7 @@ TEST(Problems, PlaneMovesAwayFromWhatLiesInIt) {
         const Settings settings = {std::string("plane.equation=") + equation};
         const std::vector<Problem> problems = problems_with(settings, sheet_scene());
         const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& problem) {
-            return problem.sentence.find("lies in the plane itself") != std::string::npos;
+            return say(problem.sentence).find("lies in the plane itself") != std::string::npos;
         });
         ASSERT_NE(found, problems.end()) << equation;
         EXPECT_EQ(all_of(problems_with({settings[0], found->fixed_by}, sheet_scene())), "") << found->fixed_by;

@@ -37,7 +37,8 @@ TEST(ViewProblems, ReportWhereTheObjectsAre) {
     for (const auto& [setting, expected] : cases) {
         const std::vector<Problem> problems = view_problems({setting});
         ASSERT_EQ(problems.size(), 1U) << setting;
-        EXPECT_NE(problems[0].sentence.find(expected), std::string::npos) << setting << ": " << problems[0].sentence;
+        EXPECT_NE(say(problems[0].sentence).find(expected), std::string::npos)
+            << setting << ": " << say(problems[0].sentence);
         EXPECT_EQ(problems[0].kind, ProblemKind::about_window);
     }
 }
@@ -46,8 +47,8 @@ TEST(ViewProblems, ReportAndFixClippingByNearAndFar) {
     for (const std::string& setting : {std::string("projection.near=30"), std::string("projection.far=2")}) {
         const std::vector<Problem> problems = view_problems({setting});
         ASSERT_EQ(problems.size(), 1U) << setting;
-        EXPECT_NE(problems[0].sentence.find(setting.ends_with("30") ? "near = 30" : "far = 2"), std::string::npos)
-            << problems[0].sentence;
+        EXPECT_NE(say(problems[0].sentence).find(setting.ends_with("30") ? "near = 30" : "far = 2"), std::string::npos)
+            << say(problems[0].sentence);
         ASSERT_FALSE(problems[0].fixed_by.empty());
         EXPECT_TRUE(view_problems({setting, problems[0].fixed_by}).empty()) << problems[0].fixed_by;
     }
@@ -61,12 +62,12 @@ TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
     settings.emplace_back("projection.far=3");  // the image reaches from 3.5 to 5.5
     std::vector<Problem> problems = view_problems(settings);
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_NE(problems[0].sentence.find("reaches to z = 5.5"), std::string::npos) << problems[0].sentence;
+    EXPECT_NE(say(problems[0].sentence).find("reaches to z = 5.5"), std::string::npos) << say(problems[0].sentence);
     EXPECT_EQ(problems[0].fixed_by, "projection.far=11");
     settings.back() = "reflection.enabled=false";
     problems = view_problems(settings);
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_NE(problems[0].sentence.find("behind the camera"), std::string::npos) << problems[0].sentence;
+    EXPECT_NE(say(problems[0].sentence).find("behind the camera"), std::string::npos) << say(problems[0].sentence);
 }
 
 /// Returns a mesh of small triangles in a cube of side 1, and one vertex at a distance along x.
@@ -87,8 +88,9 @@ Scene mesh_scene(float stray, const glm::dvec3& scale) {
 TEST(ViewProblems, AMeshOfWhichNothingIsSeenIsNamed) {
     const auto says = [](const Scene& scene, const std::string& words, const std::vector<std::string>& settings = {}) {
         const std::vector<Problem> problems = view_problems(settings, scene);
-        return std::any_of(problems.begin(), problems.end(),
-                           [&](const Problem& problem) { return problem.sentence.find(words) != std::string::npos; });
+        return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+            return say(problem.sentence).find(words) != std::string::npos;
+        });
     };
     EXPECT_FALSE(says(mesh_scene(0.5F, glm::dvec3(1.0)), "scan"));
     EXPECT_TRUE(says(mesh_scene(0.5F, {2.0, 1e-5, 1e-5}), "thinner than a pixel"));
@@ -109,7 +111,7 @@ TEST(ViewProblems, NumbersAreThoseOfTheVertices) {
             nearest = std::min(nearest, -(derived.view_from_world * world).z);
             farthest = std::max(farthest, -(derived.view_from_world * world).z);
         }
-    const auto sentence = [](const std::string& setting) { return view_problems({setting}).at(0).sentence; };
+    const auto sentence = [](const std::string& setting) { return say(view_problems({setting}).at(0).sentence); };
     EXPECT_NE(sentence("projection.near=30").find("z = " + figures(farthest, 3)), std::string::npos);
     EXPECT_NE(sentence("projection.far=2").find("z = " + figures(nearest, 3)), std::string::npos);
 }

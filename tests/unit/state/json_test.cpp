@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "listed_fields.h"
 #include "random_params.h"
 #include "state/file/document.h"
 
@@ -75,194 +77,38 @@ TEST(State, ReadsEveryKindOfField) {
               (LayoutParams{BigView::lower_left, {"display", "V"}, {"camera", "projection.near"}, {"panel"}}));
 }
 
-TEST(State, WritesTheDefaultsAsInTheContract) {
-    EXPECT_EQ(write_state(Params{}), R"({
-  "version": 1,
-  "scene": "torus-and-boxes",
-  "camera": {
-    "position": [3.9, 3, 6.6],
-    "yaw": 30.6,
-    "pitch": -16.4,
-    "roll": 0,
-    "target": [0, 0.75, 0],
-    "navigation": "fly"
-  },
-  "projection": {
-    "type": "perspective",
-    "fovy": 40,
-    "height": 6,
-    "near": 0.5,
-    "far": 40,
-    "aspect": 0,
-    "left": -0.32,
-    "right": 0.32,
-    "bottom": -0.18,
-    "top": 0.18
-  },
-  "depth": {
-    "buffer": true,
-    "test": true,
-    "func": "less",
-    "write": true,
-    "clear": true,
-    "format": "d24",
-    "mapping": "standard",
-    "offset": {
-      "factor": 0,
-      "units": 0
-    },
-    "decals": "offset",
-    "clear_value": 1,
-    "write_while_clearing": true,
-    "reversed_zero_to_one": true,
-    "reversed_clear": true,
-    "reversed_offset": true,
-    "logarithm_per_vertex": false
-  },
-  "coplanar": {
-    "gap": 0.01,
-    "tilt": 8,
-    "distance": 4
-  },
-  "cull": {
-    "enabled": false,
-    "face": "back",
-    "front_face": "ccw"
-  },
-  "light": {
-    "position": [2.6, 5.2, 2.2, 1]
-  },
-  "lights": [],
-  "plane": {
-    "equation": [0, 1, 0, 0],
-    "extent": 4,
-    "receives_shadow": true,
-    "mirrors": true,
-    "gloss": false
-  },
-  "planes": [],
-  "shadow": {
-    "enabled": true,
-    "color": "#000000",
-    "opacity": 0.5,
-    "stencil_once": true,
-    "clip_to_receiver": true,
-    "clip_casters": true,
-    "offset": "polygon_offset",
-    "offset_factor": -1,
-    "offset_units": -1,
-    "lift": 0.01,
-    "style": "blend",
-    "clip_at_light": true,
-    "sign": "plane_dot_light",
-    "write_depth": false,
-    "own_stencil": true
-  },
-  "reflection": {
-    "enabled": true,
-    "reflectance": 0.3,
-    "stencil": true,
-    "clip": "clip_distance",
-    "flip_winding": true,
-    "reflect_light": true,
-    "bounces": 1,
-    "mirrored": "scene",
-    "same_projection": true,
-    "fovy": 0,
-    "printed_by_rows": false,
-    "mask_writes_depth": false,
-    "after_objects": false,
-    "side_of_eye": true,
-    "shadows": true
-  },
-  "overrides": {
-    "view_from_world": null,
-    "clip_from_view": null,
-    "shadow_from_world": null,
-    "mirror_from_world": null,
-    "further": []
-  },
-  "follow": null,
-  "visibility": {
-    "method": "depth_buffer",
-    "step": -1,
-    "sort_key": "farthest",
-    "splitter": "fewest_splits",
-    "walk": "back_to_front",
-    "epsilon": 1e-9,
-    "exact_curves": false,
-    "compare_with": "ray_cast",
-    "numbers": false,
-    "raster": null,
-    "pixel": null
-  },
-  "view": {
-    "shows": "color",
-    "depth_scale": "linear",
-    "depth_colors": "grey",
-    "depth_range": null,
-    "samples": 4,
-    "plane": 1,
-    "light": 1,
-    "beside": {
-      "shows": "nothing",
-      "layout": "halves",
-      "share": 0.5,
-      "format": "d32f",
-      "mapping": "reversed",
-      "set": {}
-    },
-    "pixel": null,
-    "pin": null,
-    "cells": null,
-    "call": -1,
-    "triangle": -1,
-    "pass": -1,
-    "derivation_step": -1,
-    "division": 1,
-    "way": 0,
-    "lower_left": "automatic",
-    "lower_right": "automatic",
-    "layout": {
-      "big": "none",
-      "matrices": [],
-      "controls": [],
-      "folded": []
+/// Returns the state file that the golden list describes: a line for each field with its default, inside its groups.
+std::string file_of_listed_defaults() {
+    std::string text = "{";
+    std::vector<std::string> open;
+    const auto begin_line = [&] {
+        text += (text.back() == '{' ? "\n" : ",\n") + std::string(2 + 2 * open.size(), ' ');
+    };
+    for (const testing::ListedField& field : testing::listed_fields()) {
+        std::vector<std::string> groups;
+        std::istringstream path(field.path());
+        for (std::string part; std::getline(path, part, '.');) groups.push_back(part);
+        const std::string name = groups.back();
+        groups.pop_back();
+        const auto common =
+            std::mismatch(open.begin(), open.end(), groups.begin(), groups.end()).second - groups.begin();
+        for (; std::ssize(open) > common; open.pop_back()) text += "\n" + std::string(2 * open.size(), ' ') + "}";
+        while (open.size() < groups.size()) {
+            begin_line();
+            open.push_back(groups[open.size()]);
+            text += "\"" + open.back() + "\": {";
+        }
+        begin_line();
+        const std::string_view line = field.description;
+        const std::string_view value = line.substr(line.find("; default ") + 10);
+        text += "\"" + name + "\": " + std::string(value.substr(0, value.find("; in ")));
     }
-  },
-  "observer": {
-    "target": [0, 1, 1],
-    "yaw": -38,
-    "pitch": -30,
-    "distance": 16,
-    "light_rays": false,
-    "mirrored_eye": false,
-    "image_space": false
-  },
-  "slips": {
-    "walk_slows": false,
-    "creeping_roll": false,
-    "pole_flip": false,
-    "swapped_order": false,
-    "camera_as_view": false,
-    "degrees_as_radians": false,
-    "plus_2ab": false,
-    "normal_not_unit": false,
-    "shadow_by_rows": false,
-    "oblique_in_world": false
-  },
-  "animation": {
-    "jiggle": false,
-    "light_orbit": false,
-    "light_speed": 30
-  },
-  "ui": {
-    "theme": "dark",
-    "scale": 1,
-    "language": "en"
-  }
+    for (; !open.empty(); open.pop_back()) text += "\n" + std::string(2 * open.size(), ' ') + "}";
+    return text + "\n}\n";
 }
-)");
+
+TEST(State, WritesTheDefaultsAsListed) {
+    EXPECT_EQ(write_state(Params{}), file_of_listed_defaults());
 }
 
 TEST(State, RandomStatesRoundTripExactly) {

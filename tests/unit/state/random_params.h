@@ -15,11 +15,11 @@ public:
 
     Params make() {
         Params params;
-        params.lights.resize(static_cast<std::size_t>(whole(1, most_lights)));
-        params.planes.resize(static_cast<std::size_t>(whole(1, most_planes)));
+        params.lights.resize(lights_ = static_cast<std::size_t>(whole(1, most_lights)));
+        params.planes.resize(planes_ = static_cast<std::size_t>(whole(1, most_planes)));
         for (const Field& field : fields()) {
             for (std::size_t element = 0; element < element_count(field, params); ++element) {
-                fill(field, params, element);
+                std::visit([&](const auto& value) { fill(field, value); }, field.in(params, element));
             }
         }
         params.view.plane = whole(1, static_cast<int>(params.planes.size()));
@@ -83,77 +83,74 @@ private:
         return made;
     }
 
-    void fill(const Field& field, Params& params, std::size_t element) {
-        const FieldRef ref = field.in(params, element);
-        if (const auto* value = std::get_if<bool*>(&ref)) {
-            **value = coin();
-        } else if (const auto* value_int = std::get_if<int*>(&ref)) {
-            **value_int = field.path == "view.samples"
-                              ? 4 * whole(0, 1)
-                              : whole(static_cast<int>(field.min), static_cast<int>(field.max));
-        } else if (const auto* value_double = std::get_if<double*>(&ref)) {
-            **value_double = number(field, 0);
-            if (**value_double < field.least_above_zero) **value_double = 0.0;
-        } else if (const auto* vec3 = std::get_if<glm::dvec3*>(&ref)) {
-            **vec3 = vector<glm::dvec3>(field);
-        } else if (const auto* vec4 = std::get_if<glm::dvec4*>(&ref)) {
-            **vec4 = vector<glm::dvec4>(field);
-        } else if (const auto* color = std::get_if<Color*>(&ref)) {
-            **color = {static_cast<std::uint8_t>(whole(0, 255)), static_cast<std::uint8_t>(whole(0, 255)),
-                       static_cast<std::uint8_t>(whole(0, 255))};
-        } else if (const auto* choice = std::get_if<EnumRef>(&ref)) {
-            choice->set(whole(0, static_cast<int>(choice->names.size()) - 1));
-        } else if (const auto* scene = std::get_if<SceneSource*>(&ref)) {
-            fill_scene(**scene);
-        } else if (const auto* matrix = std::get_if<std::optional<glm::dmat4>*>(&ref)) {
-            fill_matrix(**matrix);
-        } else if (std::holds_alternative<FurtherOverrides>(ref)) {
-            for (std::size_t plane = 0; plane < params.planes.size(); ++plane) {
-                if (plane > 0) {
-                    fill_matrix(params.overrides[plane].mirrored_world_from_world);
-                }
-                for (std::size_t light = plane > 0 ? 0 : 1; light < params.lights.size(); ++light) {
-                    fill_matrix(params.overrides[plane].shadowed_world_from_world[light]);
-                }
-            }
-        } else if (const auto* follow = std::get_if<std::optional<Follow>*>(&ref)) {
-            (*follow)->reset();
-            if (coin()) {
-                **follow = Follow{"box", whole(0, 1'000'000)};
-                if (coin()) **follow = Follow{.object = "", .point = vector<glm::dvec3>(field)};
-            }
-        } else if (const auto* span = std::get_if<std::optional<glm::dvec2>*>(&ref)) {
-            (*span)->reset();
-            if (coin()) {
-                const double nearest = uniform(0.01, 1.0);
-                **span = glm::dvec2(nearest, nearest + uniform(0.01, 1e6));
-            }
-        } else if (const auto* pixel = std::get_if<std::optional<glm::ivec2>*>(&ref)) {
-            (*pixel)->reset();
-            if (coin()) {
-                const int least = static_cast<int>(field.min), most = static_cast<int>(field.max);
-                **pixel = glm::ivec2(whole(least, most), whole(least, most));
-            }
-        } else if (const auto* pin = std::get_if<std::optional<Pin>*>(&ref)) {
-            (*pin)->reset();
-            const glm::dvec2 at(uniform(0.0, 1.0), uniform(0.0, 1.0));
-            const Pin kinds[] = {{"box \"1\"", {}}, {"box", at}, {"", at}};
-            if (coin()) **pin = kinds[whole(0, 2)];
-        } else if (const auto* names = std::get_if<std::vector<std::string>*>(&ref)) {
-            **names = allowed_names(field);
-            std::shuffle((*names)->begin(), (*names)->end(), random_);
-            (*names)->resize(static_cast<std::size_t>(whole(0, static_cast<int>((*names)->size()))));
-        } else if (const auto* settings = std::get_if<Settings*>(&ref)) {
-            (*settings)->all = {"projection.near=" + std::to_string(whole(1, 9)), "depth.func=\"always\"",
-                                "camera.look_at={\"eye\":[1,2,3],\"center\":[0,0,0]}"};
-            (*settings)->all.resize(static_cast<std::size_t>(whole(0, 3)));
+    // One overload for each kind of field.
+    void fill(const Field&, bool* value) { *value = coin(); }
+    void fill(const Field& field, int* value) {
+        *value = field.only.empty()
+                     ? whole(static_cast<int>(field.min), static_cast<int>(field.max))
+                     : field.only[static_cast<std::size_t>(whole(0, static_cast<int>(field.only.size()) - 1))];
+    }
+    void fill(const Field& field, double* value) {
+        *value = number(field, 0);
+        if (*value < field.least_above_zero) *value = 0.0;
+    }
+    void fill(const Field& field, glm::dvec3* value) { *value = vector<glm::dvec3>(field); }
+    void fill(const Field& field, glm::dvec4* value) { *value = vector<glm::dvec4>(field); }
+    void fill(const Field&, Color* value) {
+        const auto part = [this] { return static_cast<std::uint8_t>(whole(0, 255)); };
+        *value = {part(), part(), part()};
+    }
+    void fill(const Field&, const EnumRef& value) { value.set(whole(0, static_cast<int>(value.names.size()) - 1)); }
+    void fill(const Field&, SceneSource* value) { fill_scene(*value); }
+    template <typename Element>
+    void fill(const Field&, const Further<Element>&) {}  // filled field by field
+    void fill(const Field&, std::optional<glm::dmat4>* value) { fill_matrix(*value); }
+    void fill(const Field&, const FurtherOverrides& value) {
+        for (std::size_t plane = 0; plane < planes_; ++plane) {
+            PlaneOverrides& overrides = (*value.all)[plane];
+            if (plane > 0) fill_matrix(overrides.mirrored_world_from_world);
+            for (std::size_t light = plane > 0 ? 0 : 1; light < lights_; ++light)
+                fill_matrix(overrides.shadowed_world_from_world[light]);
         }
+    }
+    void fill(const Field& field, std::optional<Follow>* value) {
+        value->reset();
+        if (!coin()) return;
+        *value = Follow{"box", whole(0, 1'000'000)};
+        if (coin()) *value = Follow{.object = "", .point = vector<glm::dvec3>(field)};
+    }
+    void fill(const Field&, std::optional<glm::dvec2>* value) {
+        value->reset();
+        if (!coin()) return;
+        const double nearest = uniform(0.01, 1.0);
+        *value = glm::dvec2(nearest, nearest + uniform(0.01, 1e6));
+    }
+    void fill(const Field& field, std::optional<glm::ivec2>* value) {
+        value->reset();
+        const int least = static_cast<int>(field.min), most = static_cast<int>(field.max);
+        if (coin()) *value = glm::ivec2(whole(least, most), whole(least, most));
+    }
+    void fill(const Field&, std::optional<Pin>* value) {
+        value->reset();
+        const glm::dvec2 at(uniform(0.0, 1.0), uniform(0.0, 1.0));
+        const Pin kinds[] = {{"box \"1\"", {}}, {"box", at}, {"", at}};
+        if (coin()) *value = kinds[whole(0, 2)];
+    }
+    void fill(const Field& field, std::vector<std::string>* value) {
+        *value = allowed_names(field);
+        std::shuffle(value->begin(), value->end(), random_);
+        value->resize(static_cast<std::size_t>(whole(0, static_cast<int>(value->size()))));
+    }
+    void fill(const Field&, Settings* value) {
+        value->all = {"projection.near=" + std::to_string(whole(1, 9)), "depth.func=\"always\"",
+                      "camera.look_at={\"eye\":[1,2,3],\"center\":[0,0,0]}"};
+        value->all.resize(static_cast<std::size_t>(whole(0, 3)));
     }
 
     void fill_matrix(std::optional<glm::dmat4>& matrix) {
         matrix.reset();
         if (coin()) {
-            const Field& entries = viewing::field("overrides.shadow_from_world");
+            const Field entries;  // the widest range
             matrix = glm::dmat4(vector<glm::dvec4>(entries), vector<glm::dvec4>(entries), vector<glm::dvec4>(entries),
                                 vector<glm::dvec4>(entries));
         }
@@ -172,6 +169,7 @@ private:
     }
 
     std::mt19937 random_;
+    std::size_t lights_ = 1, planes_ = 1;  ///< of the state that is being made
 };
 
 }  // namespace viewing::testing

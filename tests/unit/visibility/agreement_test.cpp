@@ -39,7 +39,7 @@ TEST(Agreement, ExactMethodsMatchRayCasting) {
         EXPECT_EQ(wrong(paint(tree.fragments, front_to_back.fragments, viewpoint, PaintRule::keep_first)), 0);
 
         const NewellOrder newell = newell_order(polygons, viewpoint);
-        EXPECT_EQ(newell.problem, "");
+        EXPECT_EQ(say(newell.problem), "");
         EXPECT_EQ(newell.counters.forced, 0);
         EXPECT_NEAR(area_of(newell.fragments, newell.order) + newell.clipped_area, whole_area, 1e-9 * whole_area);
         EXPECT_EQ(wrong(paint(newell.fragments, newell.order, viewpoint)), 0);

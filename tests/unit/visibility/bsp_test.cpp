@@ -59,7 +59,7 @@ TEST(Bsp, IsRightOnRandomScenesForEverySplitter) {
         const std::vector<Polygon> polygons = random_polygons(random);
         for (const BspSplitter splitter : splitters) {
             const BspTree tree = build_bsp(polygons, {.splitter = splitter});
-            EXPECT_EQ(tree.problem, "");
+            EXPECT_EQ(say(tree.problem), "");
             expect_well_formed(tree, polygons);
             const Viewpoint viewpoint = random_viewpoint(random);
             const BspWalk back_to_front = walk_bsp(tree, viewpoint.eye_world(), BspOrder::back_to_front);
@@ -216,7 +216,7 @@ TEST(Bsp, StopsAtItsBudgetWithASentenceAndLosesNothing) {
     std::vector<Polygon> polygons;
     for (int i = 0; i < 60; ++i) add(polygons, {random.vec3(2), random.vec3(2), random.vec3(2)});
     const BspTree tree = build_bsp(polygons, {.splitter = BspSplitter::first, .max_fragments = 100});
-    EXPECT_EQ(tree.problem, "The BSP tree stopped at its budget of 100 fragments; the rest is drawn unsorted.");
+    EXPECT_EQ(say(tree.problem), "The BSP tree stopped at its budget of 100 fragments; the rest is drawn unsorted.");
     EXPECT_NEAR(total_area(tree.fragments), total_area(polygons), 1e-9 * total_area(polygons));
     EXPECT_LT(tree.fragments.size(), 160U);
     EXPECT_TRUE(std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const BspNode& n) { return !n.sorted; }));
@@ -227,11 +227,11 @@ TEST(Bsp, HandlesCancellationAndEmptyInput) {
     Random random(seed);
     const std::vector<Polygon> polygons = random_polygons(random);
     WorkProgress progress;
-    EXPECT_EQ(build_bsp(polygons, {}, &progress).problem, "");
+    EXPECT_EQ(say(build_bsp(polygons, {}, &progress).problem), "");
     EXPECT_EQ(progress.fraction, 1.0F);
     progress.canceled = true;
     const BspTree canceled = build_bsp(polygons, {}, &progress);
-    EXPECT_EQ(canceled.problem, "The BSP tree is not finished: it was canceled.");
+    EXPECT_EQ(say(canceled.problem), "The BSP tree is not finished: it was canceled.");
     EXPECT_EQ(canceled.nodes.size(), 1U);
     EXPECT_EQ(canceled.fragments.size(), polygons.size());
     const BspTree empty = build_bsp({});

@@ -99,7 +99,7 @@ TEST(Cost, CanceledBeforeItStartsSkipsAllPerPolygonWork) {
 
     const std::size_t before = allocated_bytes;
     const NewellOrder cut = newell_order(polygons, viewpoint_on_z(), {}, &progress);
-    EXPECT_EQ(cut.problem, "Newell's sort was canceled before it began: nothing is drawn.");
+    EXPECT_EQ(say(cut.problem), "Newell's sort was canceled before it began: nothing is drawn.");
     EXPECT_TRUE(cut.order.empty());
     const std::size_t of_cut = allocated_bytes - before;
     newell_order(polygons, viewpoint_on_z(), {.max_pairs = 1});

@@ -61,7 +61,7 @@ TEST(FailureSearch, FindsAViewForEachKey) {
             char share[32];
             std::snprintf(share, sizeof share, "%.1f%%",
                           100.0 * static_cast<double>(found.wrong_pixels) / static_cast<double>(found.compared));
-            EXPECT_NE(found.sentence.find(share), std::string::npos) << found.sentence;
+            EXPECT_NE(say(found.sentence).find(share), std::string::npos) << say(found.sentence);
         }
     }
 }
@@ -103,7 +103,7 @@ TEST(FailureSearch, ReportsThatNoViewFails) {
             EXPECT_FALSE(none.found);
             EXPECT_EQ(none.wrong_pixels, 0);
             EXPECT_EQ(none.views_tried, 2 * 96);
-            EXPECT_NE(none.sentence.find("Views tried: 192"), std::string::npos) << none.sentence;
+            EXPECT_NE(say(none.sentence).find("Views tried: 192"), std::string::npos) << say(none.sentence);
         }
     }
 }
@@ -133,7 +133,7 @@ TEST(FailureSearch, CanBeCanceled) {
     EXPECT_TRUE(canceled.canceled);
     EXPECT_FALSE(canceled.found);
     EXPECT_EQ(canceled.views_tried, 0);
-    EXPECT_NE(canceled.sentence.find("canceled"), std::string::npos) << canceled.sentence;
+    EXPECT_NE(say(canceled.sentence).find("canceled"), std::string::npos) << say(canceled.sentence);
 }
 
 TEST(FailureSearch, ReportsDegenerateInputWithoutSearching) {

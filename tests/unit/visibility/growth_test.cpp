@@ -116,7 +116,7 @@ TEST(Growth, ReportsEveryMethodAtEveryCount) {
         const GrowthRow& row = rows[i];
         EXPECT_EQ(row.method, all_methods()[i % growth_method_count]);
         EXPECT_EQ(row.polygons, request.counts[i / growth_method_count]);
-        EXPECT_EQ(row.problem, "");
+        EXPECT_EQ(say(row.problem), "");
         EXPECT_GT(row.operations, 0);
         EXPECT_EQ(row.operation_name, growth_operation_name(row.method));
         EXPECT_GT(row.time_ms, 0.0);
@@ -258,26 +258,26 @@ TEST(Growth, FragmentBudgetEndsACurveWithASentence) {
 
     const std::vector<GrowthRow> build = rows_of(rows, GrowthMethod::bsp_build);
     ASSERT_EQ(build.size(), 3U);
-    EXPECT_EQ(build[0].problem, "");
-    EXPECT_TRUE(contains(build[1].problem, "budget of 200 fragments")) << build[1].problem;
+    EXPECT_EQ(say(build[0].problem), "");
+    EXPECT_TRUE(contains(say(build[1].problem), "budget of 200 fragments")) << say(build[1].problem);
     EXPECT_GT(build[1].operations, 0);
     EXPECT_EQ(
-        build[2].problem,
+        say(build[2].problem),
         "With 70 polygons or more, building the BSP tree was not tried: 60 polygons already exceeded its budget.");
     EXPECT_EQ(build[2].operations, 0);
     EXPECT_EQ(build[2].time_ms, 0.0);
 
     const std::vector<GrowthRow> walk = rows_of(rows, GrowthMethod::bsp_walk);
     ASSERT_EQ(walk.size(), 2U);
-    EXPECT_EQ(walk[0].problem, "");
+    EXPECT_EQ(say(walk[0].problem), "");
     EXPECT_EQ(walk[1].polygons, 60);
-    EXPECT_EQ(walk[1].problem,
+    EXPECT_EQ(say(walk[1].problem),
               "With 60 polygons or more, walking the BSP tree was not tried: the tree was not finished.");
 
     for (const GrowthMethod method : {GrowthMethod::painter, GrowthMethod::z_buffer, GrowthMethod::ray_casting}) {
         const std::vector<GrowthRow> untouched = rows_of(rows, method);
         EXPECT_EQ(untouched.size(), 4U);
-        for (const GrowthRow& row : untouched) EXPECT_EQ(row.problem, "");
+        for (const GrowthRow& row : untouched) EXPECT_EQ(say(row.problem), "");
     }
 }
 
@@ -289,8 +289,8 @@ TEST(Growth, TimeBudgetEndsEveryCurveWithASentence) {
         const std::vector<GrowthRow> own = rows_of(rows, method);
         ASSERT_GE(own.size(), 1U);
         ASSERT_LE(own.size(), 2U);
-        EXPECT_TRUE(contains(own.back().problem, "was not tried")) << own.back().problem;
-        EXPECT_TRUE(contains(own.back().problem, growth_method_name(method)));
+        EXPECT_TRUE(contains(say(own.back().problem), "was not tried")) << say(own.back().problem);
+        EXPECT_TRUE(contains(say(own.back().problem), growth_method_name(method)));
     }
 }
 
@@ -302,7 +302,7 @@ TEST(Growth, TimeBudgetStopsARunningMethod) {
     request.time_budget_ms = 30.0;
     const std::vector<GrowthRow> newell = rows_of(measure_growth(request), GrowthMethod::newell);
     ASSERT_EQ(newell.size(), 1U);
-    EXPECT_EQ(newell[0].problem, "With 50,000 polygons, Newell's sort stopped at its limit of 30 ms.");
+    EXPECT_EQ(say(newell[0].problem), "With 50,000 polygons, Newell's sort stopped at its limit of 30 ms.");
 }
 
 /// Parses records of fields as RFC 4180 defines them.
@@ -361,7 +361,7 @@ TEST(GrowthReport, CsvReadsBack) {
         EXPECT_EQ(record[2], rows[i].operation_name);
         EXPECT_EQ(std::stoll(record[3]), rows[i].operations);
         EXPECT_EQ(std::stoll(record[4]), rows[i].pixels_painted);
-        EXPECT_EQ(record[5], rows[i].problem);
+        EXPECT_EQ(record[5], say(rows[i].problem));
         EXPECT_EQ(std::stod(record[6]), rows[i].time_ms);
         EXPECT_EQ(std::stod(record[7]), rows[i].time_least_ms);
         EXPECT_EQ(std::stod(record[8]), rows[i].time_most_ms);
@@ -406,7 +406,7 @@ TEST(GrowthReport, IsRepeatable) {
     const std::vector<GrowthRow> first = measure_growth(request), again = measure_growth(request);
     EXPECT_EQ(growth_csv(first, false), growth_csv(again, false));
     EXPECT_EQ(growth_summary(first), growth_summary(again));
-    for (const GrowthRow& row : first) EXPECT_EQ(row.problem, "");
+    for (const GrowthRow& row : first) EXPECT_EQ(say(row.problem), "");
 }
 
 GrowthRow worked(GrowthMethod method, int polygons, std::int64_t work) {

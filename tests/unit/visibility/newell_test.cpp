@@ -191,7 +191,7 @@ TEST(Newell, StopsWithASentenceAndLosesNothing) {
     for (int i = 0; i < 60; ++i) add(polygons, {random.vec3(2), random.vec3(2), random.vec3(2)});
     const Viewpoint viewpoint = viewpoint_on_z();
     const auto expect_stopped = [&](const NewellOrder& result, const std::string& problem) {
-        EXPECT_EQ(result.problem, problem);
+        EXPECT_EQ(say(result.problem), problem);
         double drawn = 0;
         for (const int fragment : result.order) drawn += area(result.fragments[fragment]);
         EXPECT_NEAR(drawn, total_area(polygons), 1e-9 * drawn);

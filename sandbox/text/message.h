@@ -1,0 +1,81 @@
+// A text without a language: an English template and its values. Whatever is computed, compared or kept carries
+// messages and so does not depend on the language; say() makes the sentence where it is shown.
+//
+//     pass.name = message("Shadow of light {light}", "light"_a = light + 1);
+//     message("{pass} in mirror {mirrors}", "pass"_a = pass.name, "mirrors"_a = "2, 3")
+//                                a value may be a message, which is translated with the whole
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "text/catalogue.h"
+
+namespace viewing {
+
+class Message {
+public:
+    struct Value;
+
+    Message() = default;
+    /// A literal without placeholders. Call message() instead where tests/catalogue should find it.
+    template <std::size_t N>
+    Message(const char (&english)[N]) : english_(english) {}  // NOLINT(google-explicit-constructor)
+    /// `english` must live as long as the program, as literals do.
+    Message(std::string_view english, std::vector<Value> values);
+
+    bool empty() const { return english_.empty(); }
+    /// Returns the placeholders' names and what replaces them in the current language.
+    std::vector<std::pair<std::string, std::string>> said_values() const;
+    bool operator==(const Message& other) const;
+
+private:
+    friend std::string say(const Message& message);
+
+    std::string_view english_;
+    std::vector<Value> values_;
+};
+
+/// A placeholder's name, and what replaces it: a text, the name of an object, or a list of messages.
+struct Message::Value {
+    std::string name, text;
+    std::vector<Message> list{};  ///< if not empty, instead of the text
+    bool is_object = false;
+    bool operator==(const Value&) const = default;
+};
+
+/// Returns the message in the current language.
+std::string say(const Message& message);
+
+/// The compiler checks that each placeholder has a value, as in say().
+template <typename... Values>
+Message message(fmt::format_string<Values...> english, Values&&... values) {
+    [[maybe_unused]] const auto value = []<typename T>(const char* name, const T& said) {
+        if constexpr (std::is_same_v<T, Message>)
+            return Message::Value{name, "", {said}};
+        else
+            return Message::Value{name, fmt::to_string(said)};
+    };
+    const fmt::string_view id = english;
+    return {std::string_view(id.data(), id.size()), {value(values.name, values.value)...}};
+}
+
+/// Returns the message that says object_text() of the name.
+Message object_message(std::string_view name);
+
+/// Returns the message "a, b"; an empty one if there are none.
+Message listed(const std::vector<Message>& messages);
+
+}  // namespace viewing
+
+/// A message may be a value of say().
+template <>
+struct fmt::formatter<viewing::Message> : fmt::formatter<std::string_view> {
+    template <typename Context>
+    auto format(const viewing::Message& message, Context& context) const {
+        return fmt::formatter<std::string_view>::format(viewing::say(message), context);
+    }
+};
