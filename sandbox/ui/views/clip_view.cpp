@@ -9,6 +9,7 @@
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
+#include "ui/views/lower_view.h"
 #include "ui/views/outside.h"
 
 namespace viewing {
@@ -115,7 +116,12 @@ Rect slider_row(const Rect& rect, const char* path) {
     return row;
 }
 
-void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture) {
+namespace {
+
+void draw_clip_view(const FrameContext& frame) {
+    Session& session = frame.session;
+    const Derived& derived = frame.derived;
+    const Rect& rect = frame.rect;
     const widgets::Group group("clip");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     // The slider is submitted before the picture, so that it gets the mouse input, but it is drawn on top of the
@@ -125,11 +131,11 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
     const Rect row = slider_row(rect, "view.division");
     if (!row.empty()) slider_between(session.params, "view.division", row, tr("eye space"), tr("NDC"));
     draw->ChannelsSetCurrent(0);
-    picture_item("lower view", rect, picture);
+    picture_item("lower view", rect, frame.picture);
     {
         const ObserverView view = derive_clip_view(session.params, derived, {rect.size_px()});
         Overlay overlay(draw, rect, view.clip_from_world);
-        const bool is_over_point = point_or_observer_mouse(state, session, derived, overlay);
+        const bool is_over_point = point_or_observer_mouse(frame.state, session, derived, overlay);
         overlay.keep_labels_off(row);
         draw_code_steps(overlay, session.params, derived);
         draw_frustum(overlay, session.params, derived, effective_camera(derived));
@@ -148,5 +154,15 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
     }
     draw->ChannelsMerge();
 }
+
+}  // namespace
+
+const LowerView lower_views::clip{
+    .title = marked("Clip space"),
+    .draw = draw_clip_view,
+    .camera = [](const Params& params, const Derived& derived, const Scene&,
+                 const Rect& rect) { return derive_clip_view(params, derived, {rect.size_px()}); },
+    .turns = true,
+};
 
 }  // namespace viewing

@@ -9,6 +9,7 @@
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
+#include "ui/views/lower_view.h"
 #include "ui/views/observer_parts.h"
 #include "ui/views/outside.h"
 
@@ -43,10 +44,16 @@ void observer_mouse(ViewState& state, Session& session) {
     clamp_to_ranges(session.params);
 }
 
-void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                        ImTextureID picture, const HiddenStatus& hidden) {
+namespace {
+
+void draw_observer_view(const FrameContext& frame) {
+    ViewState& state = frame.state;
+    Session& session = frame.session;
+    const Derived& derived = frame.derived;
+    const Rect& rect = frame.rect;
+    header_note("camera frustum, light, plane", rect.max.x);
     const widgets::Group group("observer");
-    picture_item("observer view", rect, picture);
+    picture_item("observer view", rect, frame.picture);
     const bool over = ImGui::IsItemHovered();
 
     const ObserverView observer = derive_observer(session.params.observer, {rect.size_px()});
@@ -70,7 +77,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.chosen_light());
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
     if (shows.image_space) label_image_space(overlay, derived);
-    draw_hidden_observer(state.hidden.links.now, hidden, overlay);
+    draw_hidden_observer(state.hidden.links.now, frame.pictures.hidden, overlay);
     draw_why_overlay(state.why, overlay);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     draw_plane_handles(overlay, places, hovered);
@@ -78,10 +85,12 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (!state.target || session.params.follow) draw_derivation_overlay(overlay, session.params, derived);
 }
 
-void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
-                            ImTextureID picture) {
-    picture_item("lower view", rect, picture);
-    observer_mouse(state, session);
+void draw_moving_world_view(const FrameContext& frame) {
+    const Session& session = frame.session;
+    const Derived& derived = frame.derived;
+    const Rect& rect = frame.rect;
+    picture_item("lower view", rect, frame.picture);
+    observer_mouse(frame.state, frame.session);
     const ObserverView view = derive_moving_world(session.params.observer, derived, {rect.size_px()});
     Overlay overlay(ImGui::GetWindowDrawList(), rect, view.clip_from_world);
     world_axes(overlay);
@@ -105,5 +114,23 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     }
     overlay.keep_labels_off(sentence_over_picture(overlay.draw(), rect, palette().camera, whole, brief));
 }
+
+}  // namespace
+
+const LowerView lower_views::observer{
+    .title = marked("Observer"),
+    .draw = draw_observer_view,
+    .camera = [](const Params& params, const Derived&, const Scene&,
+                 const Rect& rect) { return derive_observer(params.observer, {rect.size_px()}); },
+    .turns = true,
+};
+
+const LowerView lower_views::moving_world{
+    .title = marked("Moving the world"),
+    .draw = draw_moving_world_view,
+    .camera = [](const Params& params, const Derived& derived, const Scene&,
+                 const Rect& rect) { return derive_moving_world(params.observer, derived, {rect.size_px()}); },
+    .turns = true,
+};
 
 }  // namespace viewing
