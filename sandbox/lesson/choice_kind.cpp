@@ -41,7 +41,6 @@ constexpr QuestionKind question_kinds::choice{
     .is_right = [](const Ask& ask, const Answer& answer, const Surroundings&) -> Result<bool> {
         return answer.items.size() == 1 && ask.choices[static_cast<std::size_t>(answer.items[0])].right;
     },
-    .are_same = [](const Ask&, const Answer& answer, const Answer& sample) { return answer.items == sample.items; },
     .model = [](const Ask& ask, const Surroundings&) -> Result<Answer> {
         const auto right = std::find_if(ask.choices.begin(), ask.choices.end(),
                                         [](const LessonChoice& choice) { return choice.right; });

@@ -61,7 +61,6 @@ constexpr QuestionKind question_kinds::goal{
         },
     .is_right = [](const Ask& ask, const Answer&,
                    const Surroundings& surroundings) { return holds(ask.until, surroundings); },
-    .are_same = [](const Ask&, const Answer& answer, const Answer& sample) { return answer.items == sample.items; },
     .model = [](const Ask&, const Surroundings&) -> Result<Answer> { return Answer{}; },
     .in_words =
         [](const Ask& ask, const Answer&) {

@@ -103,14 +103,6 @@ void read_wrong_items(Object<LessonStep>& wrong) {
         });
 }
 
-/// The items in words, with `between` between them.
-std::string items_in_words(const Ask& ask, const Answer& model, const char* between) {
-    std::string words;
-    for (const int item : model.items)
-        words += (words.empty() ? "" : between) + ask.items[static_cast<std::size_t>(item)].shown();
-    return words;
-}
-
 bool are_same_items(const Ask&, const Answer& answer, const Answer& sample) {
     return answer.items == sample.items;
 }
@@ -119,33 +111,29 @@ bool are_same_set(const Ask&, const Answer& answer, const Answer& sample) {
     return sorted(answer.items) == sorted(sample.items);
 }
 
-Result<bool> is_order_right(const Ask& ask, const Answer& answer, const Surroundings&) {
-    const auto& all = ask.expected_items;
-    return std::find(all.begin(), all.end(), answer.items) != all.end();
-}
-
-Result<bool> is_set_right(const Ask& ask, const Answer& answer, const Surroundings&) {
-    return std::any_of(ask.expected_items.begin(), ask.expected_items.end(),
-                       [&](const std::vector<int>& expected) { return sorted(answer.items) == sorted(expected); });
-}
-
-Result<Answer> model_items(const Ask& ask, const Surroundings&) {
-    Answer model;
-    if (!ask.expected_items.empty()) model.items = ask.expected_items.front();
-    return model;
-}
-
-/// The kinds in which the order counts.
-constexpr QuestionKind of_order(decltype(QuestionKind::read) read, decltype(QuestionKind::in_words) in_words,
-                                bool sorts) {
+constexpr QuestionKind of_items(decltype(QuestionKind::read) read, const char* between, bool sorts) {
     return {
         .read = read,
         .read_wrong = read_wrong_items,
-        .is_right = is_order_right,
+        .is_right = [](const Ask& ask, const Answer& answer, const Surroundings&) -> Result<bool> {
+            return std::any_of(ask.expected_items.begin(), ask.expected_items.end(), [&](const auto& expected) {
+                return kind_of(ask).are_same(ask, answer, {{}, expected});
+            });
+        },
         .are_same = are_same_items,
         .near = near_order,
-        .model = model_items,
-        .in_words = in_words,
+        .model = [](const Ask& ask, const Surroundings&) -> Result<Answer> {
+            return ask.expected_items.empty() ? Answer{} : Answer{{}, ask.expected_items.front()};
+        },
+        .in_words =
+            [](const Ask& ask, const Answer& model) {
+                std::string words;
+                for (const int item : model.items)
+                    words +=
+                        (words.empty() ? "" : kind_of(ask).between) + ask.items[static_cast<std::size_t>(item)].shown();
+                return words;
+            },
+        .between = between,
         .has_items = true,
         .is_ordered = true,
         .sorts = sorts,
@@ -153,29 +141,19 @@ constexpr QuestionKind of_order(decltype(QuestionKind::read) read, decltype(Ques
     };
 }
 
-std::string steps_in_words(const Ask& ask, const Answer& model) {
-    return items_in_words(ask, model, " → ");
+constexpr QuestionKind of_set() {
+    QuestionKind kind = of_items(add_items, ", ", false);
+    kind.are_same = are_same_set;
+    kind.near = near_set;
+    kind.is_ordered = false;
+    return kind;
 }
 
 }  // namespace
 
-constexpr QuestionKind question_kinds::sequence = of_order(add_items_and_factors, steps_in_words, false);
-
-constexpr QuestionKind question_kinds::order = of_order(add_items, steps_in_words, true);
-
-constexpr QuestionKind question_kinds::product = of_order(
-    add_items_and_factors, [](const Ask& ask, const Answer& model) { return items_in_words(ask, model, " · "); }, true);
-
-constexpr QuestionKind question_kinds::subset{
-    .read = add_items,
-    .read_wrong = read_wrong_items,
-    .is_right = is_set_right,
-    .are_same = are_same_set,
-    .near = near_set,
-    .model = model_items,
-    .in_words = [](const Ask& ask, const Answer& model) { return items_in_words(ask, model, ", "); },
-    .has_items = true,
-    .needs_check = true,
-};
+constexpr QuestionKind question_kinds::sequence = of_items(add_items_and_factors, " → ", false);
+constexpr QuestionKind question_kinds::order = of_items(add_items, " → ", true);
+constexpr QuestionKind question_kinds::product = of_items(add_items_and_factors, " · ", true);
+constexpr QuestionKind question_kinds::subset = of_set();
 
 }  // namespace viewing

@@ -50,8 +50,9 @@ Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings&
         return Verdict{.say = chosen.why, .tag = chosen.tag};
     }
     for (const WrongAnswer& wrong : ask.wrong) {
-        const Result<bool> does_fit = wrong.when.empty() ? Result<bool>(kind.are_same(ask, answer, wrong.sample))
-                                                         : holds(wrong.when, surroundings);
+        const Result<bool> does_fit = wrong.when.empty()
+                                          ? Result<bool>(kind.are_same && kind.are_same(ask, answer, wrong.sample))
+                                          : holds(wrong.when, surroundings);
         if (!does_fit) return Error{does_fit.error()};
         if (*does_fit) return Verdict{.say = wrong.say, .tag = wrong.tag, .points = wrong.points};
     }

@@ -34,15 +34,7 @@ struct LessonText {
 /// The kinds of questions by their names in files. question_kind.h declares an entry for each, which says how it is
 /// read, judged and described; ui/lesson/answer_input.h declares another, which says how it is drawn.
 #define VIEWING_QUESTION_KINDS(KIND) \
-    KIND(choice)                     \
-    KIND(number)                     \
-    KIND(vector)                     \
-    KIND(matrix)                     \
-    KIND(sequence)                   \
-    KIND(order)                      \
-    KIND(product)                    \
-    KIND(subset)                     \
-    KIND(goal)
+    KIND(choice) KIND(number) KIND(vector) KIND(matrix) KIND(sequence) KIND(order) KIND(product) KIND(subset) KIND(goal)
 enum class AskKind { VIEWING_QUESTION_KINDS(VIEWING_ENUMERATOR) };
 
 /// One of the answers that a choice offers.

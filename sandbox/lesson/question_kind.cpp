@@ -8,15 +8,16 @@
 #include "lesson/typed_matrix.h"
 
 namespace viewing {
+
+namespace question_kinds {
+constexpr std::array all{VIEWING_QUESTION_KINDS(VIEWING_ADDRESS)};
+}
+
 namespace {
 
 using form::Object;
 
 constexpr const char* kind_names[] = {VIEWING_QUESTION_KINDS(VIEWING_NAME)};
-
-#define VIEWING_ADDRESS(name) &question_kinds::name,
-constexpr std::array entries{VIEWING_QUESTION_KINDS(VIEWING_ADDRESS)};
-#undef VIEWING_ADDRESS
 
 /// A wrong answer, which is recognized by an expression, by an example, or both.
 Object<LessonStep> wrong_form(const QuestionKind& kind, const LessonReading& reading) {
@@ -55,7 +56,7 @@ Object<LessonStep> question_form(std::optional<AskKind> kind) {
 Object<LessonStep> question_of(std::optional<AskKind> kind, const LessonReading& reading) {
     Object<LessonStep> question = question_form(kind);
     if (kind) {
-        const QuestionKind& entry = *entries[static_cast<std::size_t>(*kind)];
+        const QuestionKind& entry = *question_kinds::all[static_cast<std::size_t>(*kind)];
         entry.read(question, reading);
         const auto next = [](LessonStep& step) { step.ask.wrong.emplace_back(); };
         question.each("wrong", wrong_form(entry, reading), "a list of wrong answers", {most_entries}, next);
@@ -69,7 +70,7 @@ Object<LessonStep> question_of(std::optional<AskKind> kind, const LessonReading&
 }  // namespace
 
 const QuestionKind& kind_of(const Ask& ask) {
-    return *entries[static_cast<std::size_t>(ask.kind)];
+    return *question_kinds::all[static_cast<std::size_t>(ask.kind)];
 }
 
 void add_ask(Object<LessonStep>& step_form, const LessonReading& reading) {

@@ -22,27 +22,27 @@ struct QuestionKind {
     void (*read_wrong)(form::Object<LessonStep>& wrong);
     /// Whether the answer is right. Fails with an expression's error.
     Result<bool> (*is_right)(const Ask& ask, const Answer& answer, const Surroundings& surroundings);
-    /// Whether the answer equals a wrong answer's example.
-    bool (*are_same)(const Ask& ask, const Answer& answer, const Answer& sample);
+    /// Whether the answer equals a wrong answer's example; null if none is needed.
+    bool (*are_same)(const Ask& ask, const Answer& answer, const Answer& sample) = nullptr;
     /// Says what is right about an answer that matches no known mistake; null if there is nothing to say.
     Verdict (*near)(const Ask& ask, const Answer& answer, const Surroundings& surroundings) = nullptr;
     /// See model_answer().
     Result<Answer> (*model)(const Ask& ask, const Surroundings& surroundings);
     /// Writes the model answer as words for the lecturer's notes.
     std::string (*in_words)(const Ask& ask, const Answer& model);
-    int rows = 1, columns = 1;  ///< of the entered answer, unless the file says otherwise
-    bool is_on_screen = false;  ///< the answer is the state on the screen, which is judged whenever it changes
-    bool is_typed = false;      ///< the answer is entered as numbers
-    bool has_items = false;     ///< the answer consists of items that are chosen or put in order
-    bool is_ordered = false;    ///< the order of these items counts
-    bool sorts = false;         ///< the answer always has all items, which are moved
-    bool needs_check = false;   ///< the answer is submitted with the Check button
+    int rows = 1, columns = 1;   ///< of the entered answer, unless the file says otherwise
+    const char* between = ", ";  ///< between items in words
+    bool is_on_screen = false;   ///< the answer is the state on the screen, which is judged whenever it changes
+    bool is_typed = false;       ///< the answer is entered as numbers
+    bool has_items = false;      ///< the answer consists of items that are chosen or put in order
+    bool is_ordered = false;     ///< the order of these items counts
+    bool sorts = false;          ///< the answer always has all items, which are moved
+    bool needs_check = false;    ///< the answer is submitted with the Check button
 };
 
 namespace question_kinds {
-#define VIEWING_DECLARED(name) extern const QuestionKind name;
-VIEWING_QUESTION_KINDS(VIEWING_DECLARED)
-#undef VIEWING_DECLARED
+using Entry = QuestionKind;
+VIEWING_QUESTION_KINDS(VIEWING_ENTRY)
 }  // namespace question_kinds
 
 const QuestionKind& kind_of(const Ask& ask);

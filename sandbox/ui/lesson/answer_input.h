@@ -14,9 +14,8 @@ struct AnswerInput {
 };
 
 namespace answer_inputs {
-#define VIEWING_DECLARED(name) extern const AnswerInput name;
-VIEWING_QUESTION_KINDS(VIEWING_DECLARED)
-#undef VIEWING_DECLARED
+using Entry = AnswerInput;
+VIEWING_QUESTION_KINDS(VIEWING_ENTRY)
 }  // namespace answer_inputs
 
 }  // namespace viewing

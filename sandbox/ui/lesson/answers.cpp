@@ -392,21 +392,15 @@ constexpr AnswerInput sequence = tiles<draw_chosen>, subset = sequence;
 constexpr AnswerInput goal{[](const Ask&, float, const widgets::Context&, bool) { return 0.0F; },
                            [](LessonRun&, const AnswerStyle&, float) { return false; }};
 
-}  // namespace answer_inputs
-
-namespace {
-
-const AnswerInput& input_of(const Ask& ask) {
-#define VIEWING_ADDRESS(name) &answer_inputs::name,
-    static constexpr std::array inputs{VIEWING_QUESTION_KINDS(VIEWING_ADDRESS)};
-#undef VIEWING_ADDRESS
-    return *inputs[static_cast<std::size_t>(ask.kind)];
+static const AnswerInput& of(const Ask& ask) {
+    static constexpr std::array all{VIEWING_QUESTION_KINDS(VIEWING_ADDRESS)};
+    return *all[static_cast<std::size_t>(ask.kind)];
 }
 
-}  // namespace
+}  // namespace answer_inputs
 
 float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents) {
-    return input_of(ask).height(ask, width, context, presents);
+    return answer_inputs::of(ask).height(ask, width, context, presents);
 }
 
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width) {
@@ -415,7 +409,7 @@ bool draw_answers(LessonRun& run, const AnswerStyle& style, float width) {
     ImFont* const number_font = context.fonts.number;
     if (style.presents) context.fonts.number = context.fonts.matrix;  // numbers as large as sentences
     ImGui::PushFont(AnswerSizes(context, style.presents).font);
-    const bool is_given = input_of(run.step().ask).draw(run, style, width);
+    const bool is_given = answer_inputs::of(run.step().ask).draw(run, style, width);
     ImGui::PopFont();
     context.fonts.number = number_font;
     return is_given;

@@ -119,9 +119,7 @@ Rect slider_row(const Rect& rect, const char* path) {
 namespace {
 
 void draw_clip_view(const FrameContext& frame) {
-    Session& session = frame.session;
-    const Derived& derived = frame.derived;
-    const Rect& rect = frame.rect;
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
     const widgets::Group group("clip");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     // The slider is submitted before the picture, so that it gets the mouse input, but it is drawn on top of the
@@ -131,11 +129,11 @@ void draw_clip_view(const FrameContext& frame) {
     const Rect row = slider_row(rect, "view.division");
     if (!row.empty()) slider_between(session.params, "view.division", row, tr("eye space"), tr("NDC"));
     draw->ChannelsSetCurrent(0);
-    picture_item("lower view", rect, frame.picture);
+    picture_item("lower view", rect, picture);
     {
         const ObserverView view = derive_clip_view(session.params, derived, {rect.size_px()});
         Overlay overlay(draw, rect, view.clip_from_world);
-        const bool is_over_point = point_or_observer_mouse(frame.state, session, derived, overlay);
+        const bool is_over_point = point_or_observer_mouse(state, session, derived, overlay);
         overlay.keep_labels_off(row);
         draw_code_steps(overlay, session.params, derived);
         draw_frustum(overlay, session.params, derived, effective_camera(derived));

@@ -43,9 +43,8 @@ struct LowerView {
 };
 
 namespace lower_views {
-#define VIEWING_DECLARED(name) extern const LowerView name;
-VIEWING_LOWER_VIEWS(VIEWING_DECLARED, VIEWING_DECLARED)
-#undef VIEWING_DECLARED
+using Entry = LowerView;
+VIEWING_LOWER_VIEWS(VIEWING_ENTRY, VIEWING_ENTRY)
 }  // namespace lower_views
 
 /// Returns a topic's entry. `topic` must not be `automatic`; see topic_of().

@@ -47,13 +47,10 @@ void observer_mouse(ViewState& state, Session& session) {
 namespace {
 
 void draw_observer_view(const FrameContext& frame) {
-    ViewState& state = frame.state;
-    Session& session = frame.session;
-    const Derived& derived = frame.derived;
-    const Rect& rect = frame.rect;
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
     header_note("camera frustum, light, plane", rect.max.x);
     const widgets::Group group("observer");
-    picture_item("observer view", rect, frame.picture);
+    picture_item("observer view", rect, picture);
     const bool over = ImGui::IsItemHovered();
 
     const ObserverView observer = derive_observer(session.params.observer, {rect.size_px()});
@@ -77,7 +74,7 @@ void draw_observer_view(const FrameContext& frame) {
     if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.chosen_light());
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
     if (shows.image_space) label_image_space(overlay, derived);
-    draw_hidden_observer(state.hidden.links.now, frame.pictures.hidden, overlay);
+    draw_hidden_observer(state.hidden.links.now, pictures.hidden, overlay);
     draw_why_overlay(state.why, overlay);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     draw_plane_handles(overlay, places, hovered);
@@ -86,11 +83,9 @@ void draw_observer_view(const FrameContext& frame) {
 }
 
 void draw_moving_world_view(const FrameContext& frame) {
-    const Session& session = frame.session;
-    const Derived& derived = frame.derived;
-    const Rect& rect = frame.rect;
-    picture_item("lower view", rect, frame.picture);
-    observer_mouse(frame.state, frame.session);
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
+    picture_item("lower view", rect, picture);
+    observer_mouse(state, session);
     const ObserverView view = derive_moving_world(session.params.observer, derived, {rect.size_px()});
     Overlay overlay(ImGui::GetWindowDrawList(), rect, view.clip_from_world);
     world_axes(overlay);

@@ -263,20 +263,18 @@ void play_way(double& way, widgets::StepPlayer& player, double dt_s, bool moves)
 namespace {
 
 void draw_way_view(const FrameContext& frame) {
-    ViewState& state = frame.state;
-    const Derived& derived = frame.derived;
-    const Rect& rect = frame.rect;
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
     const widgets::Group group("way");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     // The slider and the button are submitted before the picture, so that they get the mouse input, but are drawn on
     // top of it.
     draw->ChannelsSplit(2);
     draw->ChannelsSetCurrent(1);
-    Params& params = frame.session.params;
+    Params& params = session.params;
     const Rect row = slider_row(rect, "view.way");
     if (!row.empty()) way_bar(state, params, row);
     draw->ChannelsSetCurrent(0);
-    picture_item("lower view", rect, frame.picture);
+    picture_item("lower view", rect, picture);
 
     const glm::ivec2 window_px = glm::max(state.camera_px, 1);
     const int step = step_of(params.view.way);
@@ -285,7 +283,7 @@ void draw_way_view(const FrameContext& frame) {
         const ObserverView view = derive_way_view(params, derived, {rect.size_px()}, free_of_numbers(rect));
         const WayPlaces places = way_places(rect);
         Overlay overlay(draw, rect, view.clip_from_world);
-        const bool is_over_point = point_or_observer_mouse(state, frame.session, derived, overlay);
+        const bool is_over_point = point_or_observer_mouse(state, session, derived, overlay);
         if (step <= 1) world_axes(overlay);
         draw_frustum(overlay, params, derived, effective_camera(derived));
         if (derived.followed) {

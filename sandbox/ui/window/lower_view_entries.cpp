@@ -1,8 +1,8 @@
 // The list of the lower views' entries, and the entries of views whose sources do not know the others' state. See
 // ui/views/lower_view.h.
-#include <algorithm>
 #include <array>
 #include <cfloat>
+#include <vector>
 
 #include "text/catalogue.h"
 #include "ui/depth/cell_bar.h"
@@ -241,26 +241,19 @@ const LowerView why{
     .explains_pixel = true,
 };
 
+constexpr std::array all{VIEWING_LOWER_VIEWS(VIEWING_ADDRESS, VIEWING_ADDRESS)};
+
 }  // namespace lower_views
 
-namespace {
-
-#define VIEWING_ADDRESS(name) &lower_views::name,
-constexpr std::array entries{VIEWING_LOWER_VIEWS(VIEWING_ADDRESS, VIEWING_ADDRESS)};
-#undef VIEWING_ADDRESS
-
-}  // namespace
-
 const LowerView& lower_view(Topic topic) {
-    return *entries[static_cast<std::size_t>(topic) - 1];
+    return *lower_views::all[static_cast<std::size_t>(topic) - 1];
 }
 
 std::span<const char* const> topic_titles() {
-    static const auto titles = [] {
-        std::array<const char*, entries.size() + 1> all{marked("Automatic")};
-        std::transform(entries.begin(), entries.end(), all.begin() + 1,
-                       [](const LowerView* view) { return view->title; });
-        return all;
+    static const std::vector<const char*> titles = [] {
+        std::vector<const char*> found{marked("Automatic")};
+        for (const LowerView* const view : lower_views::all) found.push_back(view->title);
+        return found;
     }();
     return titles;
 }
