@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lesson/question_kind.h"
+#include "lesson/tree.h"
 #include "platform/shared_file.h"
 #include "text/words.h"
 

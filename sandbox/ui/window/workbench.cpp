@@ -7,6 +7,7 @@
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/lesson/strip.h"
+#include "ui/matrices/followed_point.h"
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/views/lower_view.h"
