@@ -6,6 +6,7 @@
 #include "lesson/allowed.h"
 #include "lesson/filled_text.h"
 #include "lesson/progress.h"
+#include "lesson/question_kind.h"
 #include "lesson/typed_matrix.h"
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
@@ -29,7 +30,7 @@ struct Case {
 
 /// Rejects a goal that was reached by changing a field that the step does not allow, and names that field.
 Verdict with_what_is_allowed(const Verdict& verdict, const Ask& ask, const Params& start, const Params& now) {
-    if (!verdict.right || ask.kind != AskKind::goal) return verdict;
+    if (!verdict.right || !kind_of(ask).is_on_screen) return verdict;
     const std::vector<std::string> others = changed_without_leave(start, now, ask.allow);
     if (others.empty()) return verdict;
     const std::string why = say("Goal met, but {field} must keep its original value here.", "field"_a = others.front());
@@ -63,7 +64,7 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
         return was_checking || has_model;
     }
     const Ask& ask = run->step().ask;
-    const bool is_goal = ask.kind == AskKind::goal;
+    const bool is_goal = kind_of(ask).is_on_screen;
     const bool is_asked = asked_ && asked_->is_of(*run, session.params);
     if (!ask.progress.empty() && run->progress().at != session.params && !has_measured_progress(ask)) {
         LessonNumbers numbers(session.params, run->step().start.params, session.scene(), &renderer_);
@@ -122,7 +123,7 @@ void AnswerJudge::show_products(LessonRun& run, const Session& session) {
 
 bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {
     const Ask& ask = run.step().ask;
-    if (!is_typed(ask.kind) || run.model() || run.lesson().sheet || session.loading_fraction()) return false;
+    if (!kind_of(ask).is_typed || run.model() || run.lesson().sheet || session.loading_fraction()) return false;
     const Params start = session.in_own_looks(run.step().start.params);
     const Case question{run.shared_lesson(), run.index(), {}, start, start, session.scene()};
     const auto right = [](const Case& of, Renderer& renderer) {
@@ -164,7 +165,7 @@ void AnswerJudge::take(const Result<Verdict>& verdict, Workbench& workbench, Ses
     const Verdict told =
         with_what_is_allowed(*verdict, ask, session.in_own_looks(run.step().start.params), session.params);
     run.take(told);
-    const bool tells = ask.kind != AskKind::goal || told.right || !told.say.empty();
+    const bool tells = !kind_of(ask).is_on_screen || told.right || !told.say.empty();
     if (run.lesson().sheet && tells) workbench.exercises.record(run, told, session.params);
     if (told.right) workbench.guide.reveal(session);
 }

@@ -1,15 +1,15 @@
 #include "app/inspection.h"
 
-#include "ui/parts/topics.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing {
 
 Status Inspection::read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once) {
     const Params& params = shown.params;
     DepthWishes wishes;
-    const bool tells_pixel = is_shown(params, Topic::pixel), tells_cells = is_shown(params, Topic::cells);
-    const bool tells_why = is_shown(params, Topic::why);
-    if (tells_pixel || tells_cells || tells_why || is_shown(params, Topic::precision)) {
+    const auto shows = [&](bool LowerView::*value) { return is_any_shown(params, value); };
+    const bool tells_cells = shows(&LowerView::reads_cells), tells_why = shows(&LowerView::explains_pixel);
+    if (shows(&LowerView::reads_pixel)) {
         wishes.pixel = shown.pinned.pixel;
         const bool is_pinned = params.view.pixel || params.view.pin;  // even if the pinned point is not visible
         if (const auto pointed = views.told_pixel; pointed && !is_pinned)
@@ -18,10 +18,10 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
         if (!wishes.pixel && !is_pinned && tells_cells && params.view.cells) wishes.pixel = shown.camera_px / 2;
         if (wishes.pixel && !glm::all(glm::lessThan(*wishes.pixel, shown.camera_px))) wishes.pixel.reset();
     }
-    wishes.fragments = tells_pixel;
+    wishes.fragments = shows(&LowerView::reads_fragments);
     wishes.calls = tells_cells;
     if (tells_cells && wishes.pixel) wishes.cells = views.cells;
-    wishes.counts = is_shown(params, Topic::histogram);
+    wishes.counts = shows(&LowerView::reads_histogram);
     Status done = inspector_.update(renderer_, shown.inspected, session.scene(), session.scene_version(), shown.derived,
                                     shown.camera_px, wishes, at_once);
     reads_ = inspector_.is_following();
@@ -50,7 +50,7 @@ void Inspection::explain(const ShownFrame& shown, const Session& session) {
 
 DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {
     DepthData data = inspector_.data();
-    tells_fighting_ = is_shown(shown.params, Topic::fighting);
+    tells_fighting_ = is_any_shown(shown.params, &LowerView::counts_fighting);
     if (tells_fighting_)
         data.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(),
                                          shown.camera_px, at_once, !is_held);

@@ -30,61 +30,11 @@ struct LessonPicture {
 /// The content of a picture: the whole window, the camera's picture or one of its buffers, or another view by itself
 /// (the matrices, or a topic of the lower views). `derivation` is the mirror's derivation if the state shows that one,
 /// otherwise the shadow's.
-enum class PictureView {
-    window,
-    camera,
-    depth,
-    stencil,
-    observer,
-    matrices,
-    derivation,
-    shadow_derivation,
-    mirror_derivation,
-    tree,
-    order,
-    precision,
-    codes,
-    histogram,
-    cells,
-    pixel,
-    fighting,
-    passes,
-    moving_world,
-    clip,
-    way,
-    from_light,
-    mirror_ways,
-    lecture_code,
-    display_code,
-    why
-};
-/// In the order of PictureView.
-inline constexpr std::array picture_view_names{"window",
-                                               "camera",
-                                               "depth",
-                                               "stencil",
-                                               "observer",
-                                               "matrices",
-                                               "derivation",
-                                               "shadow_derivation",
-                                               "mirror_derivation",
-                                               "tree",
-                                               "order",
-                                               "precision",
-                                               "codes",
-                                               "histogram",
-                                               "cells",
-                                               "pixel",
-                                               "fighting",
-                                               "passes",
-                                               "moving_world",
-                                               "clip",
-                                               "way",
-                                               "from_light",
-                                               "mirror_ways",
-                                               "lecture_code",
-                                               "display_code",
-                                               "why"};
+#define VIEWING_PICTURE_VIEWS(VIEW) \
+    VIEW(window)                    \
+    VIEW(camera) VIEW(depth) VIEW(stencil) VIEWING_LOWER_VIEWS(VIEW, VIEWING_NOTHING) VIEW(matrices) VIEW(derivation)
+enum class PictureView { VIEWING_PICTURE_VIEWS(VIEWING_ENUMERATOR) };
+inline constexpr std::array picture_view_names{VIEWING_PICTURE_VIEWS(VIEWING_NAME)};
 
 struct PictureRequest {
     PictureView view = PictureView::window;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string_view>
 
 #include "figure/faces.h"
+#include "state/fields.h"
 #include "ui/parts/topics.h"
 #include "ui/window/recording.h"
 
@@ -188,35 +191,12 @@ std::vector<SeenText> RestingWindow::texts() {
 }
 
 Topic topic_of(PictureView view, const Params& params) {
-    struct Shown {
-        PictureView view;
-        Topic topic;
-    };
-    static constexpr Shown all[] = {{PictureView::observer, Topic::observer},
-                                    {PictureView::shadow_derivation, Topic::shadow_derivation},
-                                    {PictureView::mirror_derivation, Topic::mirror_derivation},
-                                    {PictureView::tree, Topic::tree},
-                                    {PictureView::order, Topic::order},
-                                    {PictureView::precision, Topic::precision},
-                                    {PictureView::codes, Topic::codes},
-                                    {PictureView::histogram, Topic::histogram},
-                                    {PictureView::cells, Topic::cells},
-                                    {PictureView::pixel, Topic::pixel},
-                                    {PictureView::fighting, Topic::fighting},
-                                    {PictureView::passes, Topic::passes},
-                                    {PictureView::moving_world, Topic::moving_world},
-                                    {PictureView::clip, Topic::clip},
-                                    {PictureView::way, Topic::way},
-                                    {PictureView::from_light, Topic::from_light},
-                                    {PictureView::mirror_ways, Topic::mirror_ways},
-                                    {PictureView::lecture_code, Topic::lecture_code},
-                                    {PictureView::display_code, Topic::display_code},
-                                    {PictureView::why, Topic::why}};
     if (view == PictureView::derivation)
         return is_shown(params, Topic::mirror_derivation) ? Topic::mirror_derivation : Topic::shadow_derivation;
-    for (const Shown& shown : all)
-        if (shown.view == view) return shown.topic;
-    return Topic::automatic;
+    if (view < PictureView::observer || view == PictureView::matrices) return Topic::automatic;
+    const std::string_view name = picture_view_names[static_cast<std::size_t>(view)];
+    const std::span<const char* const> topics = names_of<Topic>();
+    return static_cast<Topic>(std::find(topics.begin(), topics.end(), name) - topics.begin());
 }
 
 }  // namespace viewing

@@ -1,7 +1,7 @@
 #include "app/step_on_screen.h"
 
 #include "app/resting_window.h"
-#include "lesson/judge.h"
+#include "lesson/question_kind.h"
 #include "lesson/seen_answer.h"
 #include "report/state_numbers.h"
 #include "state/person/language.h"
@@ -9,7 +9,7 @@
 namespace viewing {
 
 LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step, Renderer& renderer) {
-    if (step.only_shows() || step.ask.kind == AskKind::goal) return {};
+    if (step.only_shows() || kind_of(step.ask).is_on_screen) return {};
     const auto found = [&](const std::string& what) { return lesson_id + ", step " + step.id + ": " + what; };
     const Result<Surroundings> numbers = numbers_of(step.start, step.start.params, &renderer);
     const Result<Answer> right = numbers ? model_answer(step.ask, *numbers) : Result<Answer>(Error{numbers.error()});

@@ -18,6 +18,7 @@
 #include "state/file/json.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
+#include "ui/views/lower_view.h"
 #include "ui/window/recording.h"
 
 namespace viewing {
@@ -65,7 +66,7 @@ Status Studio::draw_views(const Layout& layout, const Scene& scene, bool is_inte
     if (!views_are_behind_) return pictures_.draw(shown_, scene, layout);
     for (const Slot slot : {Slot::left, Slot::right}) {
         const ViewName name = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
-        const bool is_moved = workbench.views.hovered == name && is_seen_from_outside(topic_of(shown_.params, slot));
+        const bool is_moved = workbench.views.hovered == name && lower_view(shown_.params, slot).turns;
         if (!is_moved) continue;
         camera_is_behind_ = true;
         return pictures_.draw_lower(slot, shown_, scene, layout);

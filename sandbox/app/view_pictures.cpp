@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <span>
 
-#include "frame/clip_space.h"
 #include "measure/hidden_answers.h"
 #include "measure/mirror_measure.h"
 #include "state/file/beside.h"
-#include "ui/parts/topics.h"
-#include "ui/views/way_view.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing {
 namespace {
@@ -96,31 +94,23 @@ Status ViewPictures::draw_mirror_ways(const ShownFrame& shown, const Scene& scen
 Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout) {
     const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
     if (rect.empty()) return std::monostate{};
-    const glm::ivec2 size = rect.size_px();
+    const LowerView& lower = lower_view(shown.params, slot);
     View& view = lower_[static_cast<std::size_t>(slot)];
-    const auto draw_outside = [&](const ObserverView& observer) {
-        return render(plan_observer(shown.params, shown.derived, observer), scene, size, view);
-    };
-    switch (topic_of(shown.params, slot)) {
-        case Topic::observer:
-            return draw_outside(derive_observer(shown.params.observer, {size}));
-        case Topic::moving_world:
-            return draw_outside(derive_moving_world(shown.params.observer, shown.derived, {size}));
-        case Topic::clip:
-            return draw_outside(derive_clip_view(shown.params, shown.derived, {size}));
-        case Topic::way:
-            return draw_outside(derive_way_view(shown.params, shown.derived, {size}, free_of_numbers(rect)));
-        case Topic::from_light:
-            return draw_outside(derive_light_view(shown.derived, scene, {size}));
-        case Topic::depth:
-            return draw_depth(shown, scene, size, view);
-        case Topic::passes:
-            return draw_after_pass(shown, scene, pass_picture_size(rect, shown.derived.aspect));
-        case Topic::mirror_ways:
-            return draw_mirror_ways(shown, scene);
-        default:
-            return std::monostate{};  // only the user interface draws the other topics
+    if (lower.camera) {
+        const ObserverView camera = lower.camera(shown.params, shown.derived, scene, rect);
+        return render(plan_observer(shown.params, shown.derived, camera), scene, rect.size_px(), view);
     }
+    switch (lower.picture) {
+        case LowerPicture::depth_buffer:
+            return draw_depth(shown, scene, rect.size_px(), view);
+        case LowerPicture::after_pass:
+            return draw_after_pass(shown, scene, pass_picture_size(rect, shown.derived.aspect));
+        case LowerPicture::mirror_ways:
+            return draw_mirror_ways(shown, scene);
+        case LowerPicture::none:
+            break;  // the user interface draws the whole view
+    }
+    return std::monostate{};
 }
 
 Status ViewPictures::draw(const ShownFrame& shown, const Scene& scene, const Layout& layout) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "lesson/question_kind.h"
 #include "lesson/tree.h"
 #include "platform/shared_file.h"
 #include "text/words.h"
@@ -199,17 +200,17 @@ std::string hand_in_as_text(const HandIn& hand_in) {
 std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask) {
     if (!attempt.answer || attempt.answer->empty()) return std::nullopt;
     Answer answer;
-    if (is_typed(ask.kind)) {
+    if (kind_of(ask).is_typed) {
         if (std::ssize(*attempt.answer) != ask.rows * ask.columns) return std::nullopt;
         answer.numbers = *attempt.answer;
         return answer;
     }
-    const auto count = static_cast<double>(ask.kind == AskKind::choice ? ask.choices.size() : ask.items.size());
+    const auto count = static_cast<double>(ask.choices.empty() ? ask.items.size() : ask.choices.size());
     for (const double number : *attempt.answer) {
         if (number != std::floor(number) || number < 0.0 || number >= count) return std::nullopt;
         answer.items.push_back(static_cast<int>(number));
     }
-    if (ask.kind == AskKind::choice && answer.items.size() != 1) return std::nullopt;
+    if (!ask.choices.empty() && answer.items.size() != 1) return std::nullopt;
     return answer;
 }
 

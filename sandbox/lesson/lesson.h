@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "state/closed_set.h"
 #include "state/person/language.h"
 #include "state/presets.h"
 
@@ -30,17 +31,11 @@ struct LessonText {
     bool operator==(const LessonText&) const = default;
 };
 
-enum class AskKind { choice, number, vector, matrix, sequence, order, product, subset, goal };
-
-/// Whether the answer is entered as numbers.
-constexpr bool is_typed(AskKind kind) {
-    return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
-}
-
-/// Whether the answer consists of items that are chosen or put in order.
-constexpr bool has_items(AskKind kind) {
-    return kind == AskKind::sequence || kind == AskKind::order || kind == AskKind::product || kind == AskKind::subset;
-}
+/// The kinds of questions by their names in files. question_kind.h declares an entry for each, which says how it is
+/// read, judged and described; ui/lesson/answer_input.h declares another, which says how it is drawn.
+#define VIEWING_QUESTION_KINDS(KIND) \
+    KIND(choice) KIND(number) KIND(vector) KIND(matrix) KIND(sequence) KIND(order) KIND(product) KIND(subset) KIND(goal)
+enum class AskKind { VIEWING_QUESTION_KINDS(VIEWING_ENUMERATOR) };
 
 /// One of the answers that a choice offers.
 struct LessonChoice {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "state/fields.h"
+#include "lesson/question_kind.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -11,20 +11,6 @@ namespace viewing {
 namespace {
 
 constexpr std::size_t line_width = 78, label_width = 8;  // "Ask     …": later lines are indented by label_width
-
-std::string joined_texts(const std::vector<std::string>& texts, const char* between) {
-    std::string all;
-    for (const std::string& text : texts) all += (all.empty() ? "" : between) + text;
-    return all;
-}
-
-/// Returns "z-near = 0.3" for "projection.near=0.3", using the label that the panel shows.
-std::string setting_in_words(const std::string& setting) {
-    const std::size_t end = setting.find('=');
-    const Field* const field = find_field(std::string_view(setting).substr(0, end));
-    if (!field || end == std::string::npos) return setting;
-    return std::string(tr_part(field->label)) + " = " + setting.substr(end + 1);
-}
 
 int minutes_of(double seconds) {
     return static_cast<int>(seconds / 60.0);
@@ -104,30 +90,8 @@ std::string next_text(const LessonRun& run) {
 }  // namespace
 
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
-    if (ask.kind == AskKind::goal) {
-        std::vector<std::string> settings;
-        for (const std::string& setting : ask.model) settings.push_back(setting_in_words(setting));
-        return joined_texts(settings, ", ");
-    }
     const Result<Answer> model = model_answer(ask, surroundings);
-    if (!model) return ask.expect;
-    if (ask.kind == AskKind::choice) {
-        const auto index = static_cast<std::size_t>(model->items.front());
-        return std::string(1, static_cast<char>('A' + index)) + ": " + ask.choices[index].say.shown();
-    }
-    std::vector<std::string> parts;
-    const auto columns = static_cast<std::size_t>(std::max(ask.columns, 1));
-    for (std::size_t i = 0; i < model->numbers.size(); ++i)  // a matrix row by row: "1, 0; 0, 1"
-        if (i % columns == 0)
-            parts.push_back(number_text(model->numbers[i], 3));
-        else
-            parts.back() += ", " + number_text(model->numbers[i], 3);
-    for (const int item : model->items) parts.push_back(ask.items[static_cast<std::size_t>(item)].shown());
-    const bool is_one_after_another = ask.kind == AskKind::order || ask.kind == AskKind::sequence;
-    return joined_texts(parts, is_one_after_another           ? " → "
-                               : ask.kind == AskKind::product ? " · "
-                               : columns > 1                  ? "; "
-                                                              : ", ");
+    return model ? kind_of(ask).in_words(ask, *model) : ask.expect;
 }
 
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lesson/question_kind.h"
+
 namespace viewing {
 
 LessonRun::LessonRun(Lesson lesson, std::size_t step)
@@ -9,7 +11,7 @@ LessonRun::LessonRun(Lesson lesson, std::size_t step)
     for (std::size_t i = 0; i < visits_.size(); ++i) {
         const Ask& ask = lesson_->steps[i].ask;
         visits_[i].ballot = Ballot(ask.choices.size());
-        if (ask.kind == AskKind::order || ask.kind == AskKind::product)  // all items, in the order of the file
+        if (kind_of(ask).sorts)  // all items, in the order of the file
             for (std::size_t item = 0; item < ask.items.size(); ++item)
                 visits_[i].answer.items.push_back(static_cast<int>(item));
     }
@@ -34,9 +36,10 @@ const LessonEnd* LessonRun::end() const {
 void LessonRun::take(const Verdict& verdict) {
     forget_verdict();
     now().verdict = verdict;
-    if (!verdict.right && step().ask.kind == AskKind::choice)
+    if (!verdict.right) {
         now().tried.insert(now().tried.end(), answer().items.begin(), answer().items.end());
-    if (!verdict.right) return;
+        return;
+    }
     now().done = true;
     reveal();
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "lesson/question_kind.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -161,10 +162,10 @@ public:
     }
 
     std::vector<std::string> all() {
-        if (ask_.kind == AskKind::choice) choice();
-        if (ask_.kind == AskKind::number && right_.numbers.size() == 1) number(right_.numbers.front(), "");
-        if (ask_.kind == AskKind::vector || ask_.kind == AskKind::matrix) rows();
-        if (has_items(ask_.kind) && ask_.kind != AskKind::subset) items();
+        if (!ask_.choices.empty()) choice();
+        if (right_.numbers.size() == 1) number(right_.numbers.front(), "");
+        if (right_.numbers.size() > 1) rows();
+        if (kind_of(ask_).is_ordered) items();
         return std::move(found_);
     }
 
@@ -189,8 +190,8 @@ private:
     }
 
     void rows() {
-        const auto columns =
-            static_cast<std::size_t>(ask_.kind == AskKind::vector ? right_.numbers.size() : ask_.columns);
+        const bool is_vector = ask_.columns == 1;
+        const auto columns = is_vector ? right_.numbers.size() : static_cast<std::size_t>(ask_.columns);
         for (std::size_t begin = 0; columns > 0 && begin + columns <= right_.numbers.size(); begin += columns) {
             const double* const row = right_.numbers.data() + begin;
             const double* const first =
@@ -204,7 +205,7 @@ private:
             if (!seen) continue;
             std::string text;
             for (std::size_t i = 0; i < columns; ++i) text += (i ? ", " : "(") + figures(row[i], 4);
-            find(ask_.kind == AskKind::vector ? "the answer" : "a row of the answer", text + ")", seen->place);
+            find(is_vector ? "the answer" : "a row of the answer", text + ")", seen->place);
         }
     }
 

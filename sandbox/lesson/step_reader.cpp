@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "lesson/expression.h"
+#include "lesson/question_form.h"
 #include "lesson/targets.h"
-#include "lesson/typed_matrix.h"
 #include "state/file/json.h"
 #include "state/file/schema.h"
 #include "state/scene.h"
@@ -17,10 +17,7 @@ namespace {
 using form::Object;
 using Names = std::vector<std::string>;
 
-constexpr int most_tiles = 12;
 constexpr Range any_number{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
-constexpr const char* kind_names[] = {"choice", "number",  "vector", "matrix", "sequence",
-                                      "order",  "product", "subset", "goal"};
 
 form::Form<Names> targets_form() {
     const auto in_window = [](const std::string& name, const Where& where) {
@@ -40,14 +37,14 @@ std::string as_expression(const Json& value, const Where& where) {
     return "{" + list + "}";
 }
 
+}  // namespace
+
 Params changed(const Params& params, const std::vector<std::string>& settings, const Where& where) {
     Result<Params> result =
         apply_settings(params, settings, where.prefix + (where.path.empty() ? "" : where.path + ": "));
     if (!result) throw Refusal(result.error());
     return *std::move(result);
 }
-
-}  // namespace
 
 const LoadedState& PresetShelf::get(const std::string& name, const Where& where) {
     const auto known = states_.find(name);
@@ -129,214 +126,6 @@ Object<LessonStep> layout_form() {
         layout.optional(place.key, form::value("a value", schema), change);
     }
     return layout;
-}
-
-// ---- questions -----------------------------------------------------------------------------------------------------
-
-template <typename V>
-auto in_ask(V Ask::*member) {
-    return [member](LessonStep& step) -> V& { return step.ask.*member; };
-}
-
-/// Returns that member of the wrong answer that is being read.
-template <typename V>
-auto in_wrong(V WrongAnswer::*member) {
-    return [member](LessonStep& step) -> V& { return step.ask.wrong.back().*member; };
-}
-
-form::Form<std::vector<LessonChoice>> choices_form() {
-    const auto has_reason = [](const LessonChoice& choice, const Where& where) {
-        if (!choice.right && choice.why.empty())
-            where.key("why").refuse("is missing: every wrong answer needs a reason");
-    };
-    const Json reason = Json::parse(R"([{"properties": {"right": {"const": true}}, "required": ["right"]},
-        {"properties": {"why": {"$ref": "#/$defs/needed_text"}}, "required": ["why"]}])");
-    const auto choice = Object<LessonChoice>()
-                            .required("say", text_form(true), &LessonChoice::say)
-                            .optional("right", form::boolean(), &LessonChoice::right)
-                            .optional("why", text_form(false), &LessonChoice::why)
-                            .optional("tag", form::name(), &LessonChoice::tag)
-                            .form()
-                            .then(has_reason, {{"anyOf", reason}})
-                            .strict();
-    const char* const rule = "must have at least two answers, exactly one with \"right\": true";
-    const auto has_one_right = [rule](const std::vector<LessonChoice>& choices, const Where& where) {
-        if (std::count_if(choices.begin(), choices.end(), [](const LessonChoice& one) { return one.right; }) != 1)
-            where.refuse(rule);
-    };
-    return form::list(choice, "a list of two to nine answers", {9, 2, rule})
-        .then(has_one_right, {{"contains", reason[0]}, {"maxContains", 1}});
-}
-
-form::Form<std::vector<int>> items_form() {
-    return form::list(form::whole(0, most_tiles - 1), "a list of item indices, from 0", {most_entries});
-}
-
-void check_items(const std::vector<int>& items, const Ask& ask, const Where& where) {
-    for (std::size_t i = 0; i < items.size() && !ask.items.empty(); ++i)  // empty: they have a mistake
-        if (items[i] >= std::ssize(ask.items))
-            where.at(i).refuse("must be a whole number from 0 to " + std::to_string(ask.items.size() - 1));
-}
-
-/// One list of indices, or several lists that are equally right.
-form::Form<std::vector<std::vector<int>>> expected_items_form() {
-    using Lists = std::vector<std::vector<int>>;
-    auto several = form::list(items_form(), "a list of lists", {most_entries, 1});
-    several.takes = [](const Json& value) { return value.is_array() && !value.empty() && value[0].is_array(); };
-    return form::either<Lists>("a list of item indices, from 0",
-                               {several, items_form().then([](const std::vector<int>& one) { return Lists{one}; })});
-}
-
-/// A goal's numbers, which it shows beside the required ones.
-form::Form<std::vector<GoalNumber>> progress_form(const LessonReading& reading) {
-    const auto number = Object<GoalNumber>()
-                            .required("name", text_form(true), &GoalNumber::name)
-                            .required("value", expression_form(reading), &GoalNumber::value)
-                            .required("needed", text_form(true), &GoalNumber::needed);
-    return form::list(number.form(), "a list of numbers to show", {3}).strict();
-}
-
-/// A wrong answer, which is recognized by an expression, by an example, or both.
-Object<LessonStep> wrong_form(AskKind kind, const LessonReading& reading) {
-    auto wrong = Object<LessonStep>()
-                     .add("when", expression_form(reading), in_wrong(&WrongAnswer::when), kind == AskKind::goal)
-                     .required("say", text_form(true), in_wrong(&WrongAnswer::say))
-                     .optional("tag", form::name(), in_wrong(&WrongAnswer::tag))
-                     .optional("points", form::whole(1, 99), in_wrong(&WrongAnswer::points));
-    if (kind == AskKind::goal)
-        return wrong.ignored({"value"}).optional("try", form::settings(),
-                                                 [](LessonStep& step, const Names& settings, const Where& where) {
-                                                     changed(step.start.params, settings, where);
-                                                     step.ask.wrong.back().settings = settings;
-                                                 });
-    for (const char* const key : {"try", "value"}) {  // the value counts if both are given
-        if (has_items(kind))
-            wrong.optional(key, items_form(), [](LessonStep& step, const std::vector<int>& items, const Where& where) {
-                check_items(items, step.ask, where);
-                step.ask.wrong.back().sample.items = items;
-            });
-        else
-            wrong.optional(
-                key, numbers_form("sample", any_number, 16),
-                [](LessonStep& step, const std::vector<double>& numbers, const Where& where) {
-                    if (std::ssize(numbers) != step.ask.rows * step.ask.columns)
-                        where.refuse("must have " + std::to_string(step.ask.rows * step.ask.columns) + " numbers");
-                    step.ask.wrong.back().sample.numbers = numbers;
-                });
-    }
-    const auto is_recognized = [](const Json& object, const Where& where) {
-        const auto has_items_at = [&](const char* key) { return has(object, key) && object[key] != Json::array(); };
-        if (!has(object, "when") && !has_items_at("value") && !has_items_at("try"))
-            where.key("when").refuse("is missing: an expression, or \"value\"");
-    };
-    return wrong.rule({is_recognized, Json::parse(R"({"anyOf": [{"required": ["when"]}, {"required": ["value"]},
-        {"required": ["try"]}]})")});
-}
-
-/// The parts of a question that all kinds have. Without a kind, it has one that is not known.
-Object<LessonStep> question_form(std::optional<AskKind> kind) {
-    auto kinds = form::choice<AskKind>(kind_names);
-    if (kind) kinds.schema = [kind](Json&) { return Json{{"const", kind_names[static_cast<std::size_t>(*kind)]}}; };
-    const auto set_kind = [](LessonStep& step, AskKind read) {
-        step.ask.kind = read;
-        step.ask.rows = read == AskKind::vector ? 3 : read == AskKind::matrix ? 4 : 1;
-        step.ask.columns = read == AskKind::matrix ? 4 : 1;
-    };
-    return Object<LessonStep>()
-        .required("kind", kinds, set_kind)
-        .required("question", text_form(true), in_ask(&Ask::question))
-        .optional("hints", form::list(text_form(false), "a list of strings", {9}), in_ask(&Ask::hints));
-}
-
-void add_items(Object<LessonStep>& question, AskKind kind, const LessonReading& reading) {
-    const auto expect = [](LessonStep& step, const std::vector<std::vector<int>>& lists, const Where& where) {
-        for (const std::vector<int>& items : lists) check_items(items, step.ask, where);
-        step.ask.expected_items = lists;
-    };
-    question
-        .required("items",
-                  form::list(text_form(false), "a list of two to twelve strings",
-                             {most_tiles, 2, "must have at least two items"})
-                      .strict(),
-                  in_ask(&Ask::items))
-        .required("expect", expected_items_form(), expect);
-    if (kind == AskKind::product || kind == AskKind::sequence)
-        question.optional("factors", expressions_form(reading), in_ask(&Ask::factors))
-            .optional("shows_as", form::name(), in_ask(&Ask::shows_as))
-            .need({"shows_as"}, "factors");
-}
-
-void add_goal(Object<LessonStep>& question, const LessonReading& reading) {
-    const auto is_field = [](const std::string& path, const Where& where) {
-        if (!find_field(path) && !is_group(path)) refuse_unknown({where.prefix, path});
-    };
-    const auto model = form::settings().then(
-        [](const Names& settings, const Where& where) {
-            if (settings.empty()) where.refuse("is missing: the settings that reach the goal");
-        },
-        {{"minProperties", 1}});
-    const auto set_model = [](LessonStep& step, const Names& settings, const Where& where) {
-        step.revealed = changed(step.start.params, settings, where);
-        step.ask.model = settings;
-    };
-    const auto allow = form::list(form::name().then(is_field), "a list of names", {most_entries});
-    question.required("until", expression_form(reading), in_ask(&Ask::until))
-        .optional("progress", progress_form(reading), in_ask(&Ask::progress))
-        .optional("allow", allow, in_ask(&Ask::allow))
-        .required("model", model, set_model);
-}
-
-void add_typed(Object<LessonStep>& question, AskKind kind, const LessonReading& reading) {
-    const auto set_size = [](LessonStep& step, int size) {
-        step.ask.rows = size;
-        if (step.ask.kind == AskKind::matrix) step.ask.columns = size;
-    };
-    const auto tolerance = form::number({0.0, 1e12});
-    question.required("expect", expression_form(reading), in_ask(&Ask::expect))
-        .optional("tol", tolerance, in_ask(&Ask::tolerance))
-        .optional("tol_rel", tolerance, in_ask(&Ask::relative_tolerance))
-        .optional("up_to_factor", form::boolean(), in_ask(&Ask::up_to_factor));
-    if (kind != AskKind::number) question.optional("size", form::whole(2, kind == AskKind::vector ? 12 : 4), set_size);
-    if (kind == AskKind::matrix) question.optional("shows_as", form::name(), in_ask(&Ask::shows_as));
-}
-
-/// A question of one kind. Other kinds have further members, which are allowed but not read.
-Object<LessonStep> question_of(std::optional<AskKind> kind, const LessonReading& reading) {
-    Object<LessonStep> question = question_form(kind);
-    if (kind == AskKind::choice) question.required("choices", choices_form(), in_ask(&Ask::choices));
-    if (kind == AskKind::goal) add_goal(question, reading);
-    if (kind && has_items(*kind)) add_items(question, *kind, reading);
-    if (kind && is_typed(*kind)) add_typed(question, *kind, reading);
-    if (kind) {
-        const auto next = [](LessonStep& step) { step.ask.wrong.emplace_back(); };
-        question.each("wrong", wrong_form(*kind, reading), "a list of wrong answers", {most_entries}, next);
-        question.refused("factors", "belongs to questions of the kinds product and sequence");
-        question.refused("shows_as", "belongs to a matrix, or to tiles with factors");
-    }
-    return question.ignored({"choices", "items", "expect", "factors", "shows_as", "until", "progress", "allow", "model",
-                             "tol", "tol_rel", "up_to_factor", "size", "wrong"});
-}
-
-/// Adds a question, which is read as one of its kind.
-void add_ask(Object<LessonStep>& step_form, const LessonReading& reading) {
-    const auto kinds = std::make_shared<std::vector<Object<LessonStep>>>();
-    for (std::size_t kind = 0; kind < std::size(kind_names); ++kind)
-        kinds->push_back(question_of(static_cast<AskKind>(kind), reading));
-    kinds->push_back(question_of(std::nullopt, reading));
-    const auto schema = [kinds](Json& definitions) {
-        Json schemas = Json::array();
-        for (std::size_t kind = 0; kind < std::size(kind_names); ++kind) schemas.push_back((*kinds)[kind](definitions));
-        return Json{{"anyOf", std::move(schemas)}};
-    };
-    const auto read = [kinds](LessonStep& step, const Json* value, const Where& where) {
-        const std::string kind =
-            value->is_object() && has(*value, "kind") && (*value)["kind"].is_string() ? (*value)["kind"] : "";
-        step.revealed = step.start.params;
-        const auto at = std::find(std::begin(kind_names), std::end(kind_names), kind) - std::begin(kind_names);
-        if (where.part([&] { (*kinds)[static_cast<std::size_t>(at)].read_into(step, *value, where); }))
-            check_shown_matrix(step.ask, where);
-    };
-    step_form.required("ask", form::value("every step must ask a question", schema), read);
 }
 
 // ---- steps ---------------------------------------------------------------------------------------------------------

@@ -39,6 +39,9 @@ form::Form<LessonStep> step_form(LessonReading& reading);
 form::Form<std::string> expression_form(const LessonReading& reading);
 form::Form<std::vector<std::string>> expressions_form(const LessonReading& reading);
 
+/// Returns the parameters with these settings; refuses settings that cannot be applied.
+Params changed(const Params& params, const std::vector<std::string>& settings, const Where& where);
+
 /// Refuses a name that a constant cannot have.
 void require_constant_name(const std::string& name, const Where& where);
 

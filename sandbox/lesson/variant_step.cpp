@@ -6,6 +6,7 @@
 
 #include "lesson/exercise.h"
 #include "lesson/filled_text.h"
+#include "lesson/question_kind.h"
 #include "lesson/step_reader.h"
 #include "lesson/variants.h"
 #include "text/words.h"
@@ -129,7 +130,7 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
     if (!has(step, "say")) step["say"] = title();
     if (!has(step, "reveal")) step["reveal"] = {{"say", {{"en", "That is right."}, {"ko", "맞습니다."}}}};
     LessonStep read = step_form(reading).read(step, root);
-    if (read.ask.kind == AskKind::goal && read.ask.allow.empty())
+    if (kind_of(read.ask).is_on_screen && read.ask.allow.empty())
         root.key("step").key("ask").key("allow").refuse("is missing: the fields that the goal may change");
     return read;
 }

@@ -1,7 +1,7 @@
 #include "report/exercise_check.h"
 
 #include "lesson/hand_in.h"
-#include "lesson/judge.h"
+#include "lesson/question_kind.h"
 #include "report/grading.h"
 #include "report/state_numbers.h"
 
@@ -24,7 +24,7 @@ public:
 
     LessonFindings all() {
         const Ask& ask = step_.ask;
-        if (ask.kind == AskKind::goal) {
+        if (kind_of(ask).is_on_screen) {
             expect(goal(ask.model), "the model", {}, true);
             for (const WrongAnswer& wrong : ask.wrong) expect(goal(wrong.settings), "a wrong answer", wrong.say, false);
             return findings_;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "lesson/allowed.h"
+#include "lesson/question_kind.h"
 #include "lesson/variants.h"
 #include "report/state_numbers.h"
 #include "text/numbers.h"
@@ -92,7 +93,7 @@ std::string whose_variant(const std::vector<StudentGrade>& grades, const std::st
 Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Renderer& renderer) {
     LoadedState now = step.start;
     Answer answer;
-    if (step.ask.kind == AskKind::goal) {
+    if (kind_of(step.ask).is_on_screen) {
         if (!attempt.is_goal) return Verdict{};
         const Result<Params> changed = changed_start(step, attempt.settings);
         if (!changed) return Verdict{};

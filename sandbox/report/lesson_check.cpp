@@ -5,7 +5,7 @@
 #include "lesson/allowed.h"
 #include "lesson/append.h"
 #include "lesson/filled_text.h"
-#include "lesson/judge.h"
+#include "lesson/question_kind.h"
 #include "lesson/typed_matrix.h"
 #include "report/lesson_numbers.h"
 #include "state/file/json.h"
@@ -34,13 +34,13 @@ public:
         {
             LessonNumbers before(step_.start.params, step_.start.params, *scene_, &renderer_);
             check_claims(step_.claims_before, "claims_before", before);
-            if (step_.ask.kind != AskKind::goal) check_answers(before);
+            if (!kind_of(step_.ask).is_on_screen) check_answers(before);
         }
         // A reveal's text is filled in immediately, without measurements.
         LessonNumbers at_once(step_.start.params, step_.start.params, *scene_, nullptr);
         const Result<LessonText> told = filled(step_.reveal.say, with_constants(step_.ask, at_once.surroundings()));
         if (!told) find("reveal.say: " + told.error());
-        if (step_.ask.kind == AskKind::goal) check_goal();
+        if (kind_of(step_.ask).is_on_screen) check_goal();
         LessonNumbers after(step_.revealed, step_.start.params, *revealed_scene_, &renderer_);
         check_claims(step_.claims, "claims", after);
         return findings_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lesson/allowed.h"
+#include "lesson/question_kind.h"
 #include "lesson/variants.h"
 #include "platform/file.h"
 #include "text/words.h"
@@ -365,7 +366,7 @@ void ExerciseDesk::record(const LessonRun& run, const Verdict& verdict, const Pa
     Attempt attempt;
     attempt.at = local_time();
     attempt.told = verdict.right ? "right" : verdict.tag;
-    if (run.step().ask.kind == AskKind::goal) {
+    if (kind_of(run.step().ask).is_on_screen) {
         attempt.is_goal = true;
         attempt.settings = settings_between(run.step().start.params, params);
     } else {
@@ -397,7 +398,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
         add(item(asked.exercise, asked.variant), std::move(attempt));
     }
     if (run.is_revealed()) return;
-    if (step.ask.kind != AskKind::goal) {
+    if (!kind_of(step.ask).is_on_screen) {
         const std::vector<double> typed = answer_numbers(run.answer());
         if (typed == std::exchange(last_typed_, typed)) return;  // unchanged here; another window's answer may be newer
         const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });

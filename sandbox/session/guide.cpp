@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lesson/blend.h"
+#include "lesson/question_kind.h"
 #include "state/file/json.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
@@ -165,7 +166,7 @@ void Guide::reveal(Session& session) {
     const LessonStep& step = run_->step();
     const Params start = session.in_own_looks(step.start.params);
     const bool has_improvised = session.params != start;
-    const bool has_reached = step.ask.kind == AskKind::goal && run_->verdict() && run_->verdict()->right;
+    const bool has_reached = kind_of(step.ask).is_on_screen && run_->verdict() && run_->verdict()->right;
     run_->reveal();
     // If the goal was reached in a different way than in the model solution, keep that state.
     const Params from = has_reached ? session.params : start;

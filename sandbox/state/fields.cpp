@@ -31,7 +31,7 @@ template <> std::span<const char* const> names_of<DecalMethod>() { static conste
 template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
 template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth", "settings"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
-template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code", "why", "clip", "way"}; return names; }
+template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", VIEWING_LOWER_VIEWS(VIEWING_NAME, VIEWING_NAME)}; return names; }
 template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<Language>() { static constexpr const char* names[] = {"en", "ko"}; return names; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "state/depth_params.h"
+#include "state/topic.h"
 
 namespace viewing {
 
@@ -15,33 +16,6 @@ enum class DepthScale { window, linear };
 enum class DepthColors { grey, bands };
 enum class Beside { nothing, depth, other_depth, settings };
 enum class BesideLayout { halves, divider };
-
-/// The content of one of the two views below the camera view; `automatic` depends on the hidden-surface method.
-enum class Topic {
-    automatic,
-    observer,
-    depth,
-    histogram,
-    precision,
-    codes,
-    pixel,
-    cells,
-    fighting,
-    moving_world,
-    passes,
-    tree,
-    order,
-    growth,
-    shadow_derivation,
-    mirror_derivation,
-    lecture_code,
-    mirror_ways,
-    from_light,
-    display_code,
-    why,
-    clip,
-    way
-};
 
 /// Fields to change, each as PATH=VALUE with a JSON value: "projection.near=0.001".
 struct Settings {

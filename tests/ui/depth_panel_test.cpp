@@ -5,6 +5,7 @@
 
 #include "desk.h"
 #include "frame/why/why.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing::test {
 namespace {
@@ -167,8 +168,8 @@ TEST_F(DepthPanel, TheExplanationShowsItsRowsAndStopsAfterAPass) {
 
 TEST_F(DepthPanel, EveryTopicFitsInBothSlots) {
     for (const Slot slot : {Slot::left, Slot::right}) {
-        for (int topic = 0; topic < static_cast<int>(topic_names().size()); ++topic) {
-            SCOPED_TRACE(topic_names()[static_cast<std::size_t>(topic)]);
+        for (int topic = 0; topic < static_cast<int>(topic_titles().size()); ++topic) {
+            SCOPED_TRACE(topic_titles()[static_cast<std::size_t>(topic)]);
             choose_topic(params, slot, static_cast<Topic>(topic));
             desk.settle();
             EXPECT_NE(topic_of(params, slot), Topic::automatic);

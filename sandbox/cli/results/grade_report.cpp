@@ -240,7 +240,7 @@ std::string names_of_items(const Answer& answer, const Ask& ask) {
     std::string list;
     for (const int item : answer.items) {
         const auto at = static_cast<std::size_t>(item);
-        const LessonText& text = ask.kind == AskKind::choice ? ask.choices[at].say : ask.items[at];
+        const LessonText& text = ask.choices.empty() ? ask.items[at] : ask.choices[at].say;
         list += (list.empty() ? "" : " | ") + escaped(text.shown());
     }
     return list;

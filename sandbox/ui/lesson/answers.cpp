@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "lesson/question_kind.h"
 #include "lesson/typed_matrix.h"
 #include "lesson/typed_number.h"
 #include "text/catalogue.h"
+#include "ui/lesson/answer_input.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/parts/look.h"
 #include "ui/parts/subscripts.h"
@@ -58,7 +60,7 @@ private:
 /// Number of entry fields per row.
 std::size_t numbers_in_a_row(const Ask& ask) {
     constexpr int most_in_a_row = 6;
-    return static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : std::min(ask.rows, most_in_a_row));
+    return static_cast<std::size_t>(ask.columns > 1 ? ask.columns : std::min(ask.rows, most_in_a_row));
 }
 
 /// The font and the sizes of tiles and fields, in pixels: larger for an audience.
@@ -80,10 +82,7 @@ struct AnswerSizes {
     float letter() const { return letter_room * enlarged; }
     float padding() const { return padding_x * scale; }
     /// Extra width of a tile, for an arrow at each end or a number in front.
-    float tile_extra(const Ask& ask) const {
-        const bool moves = ask.kind == AskKind::order || ask.kind == AskKind::product;
-        return moves ? 2.0F * arrow() : letter();
-    }
+    float tile_extra(const Ask& ask) const { return kind_of(ask).sorts ? 2.0F * arrow() : letter(); }
     /// A tile's text, in several lines if the tile would be wider than `width`.
     Paragraph tile_text(const LessonText& item, const Ask& ask, float width) const {
         return paragraph(item.shown(), font, width - tile_extra(ask) - 2.0F * padding());
@@ -126,8 +125,7 @@ float tiles_height(const Ask& ask, float width, const AnswerSizes& sizes) {
     const auto height = [&](const std::vector<int>& order) {
         return lay_out_tiles(ask, order, width, sizes, [](int, float, float, ImVec2) {});
     };
-    const bool is_sorted = ask.kind == AskKind::order || ask.kind == AskKind::product;
-    return std::max(height(as_written(ask)), is_sorted ? height(ask.expected_items.front()) : 0.0F);
+    return std::max(height(as_written(ask)), kind_of(ask).sorts ? height(ask.expected_items.front()) : 0.0F);
 }
 
 struct TileLook {
@@ -193,7 +191,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
 /// Draws plates in place of a question's fields, which nobody fills in on stage: a zero in a field could be mistaken
 /// for the answer.
 void draw_unanswered(const Ask& ask, const AnswerSizes& sizes, float room) {
-    if (ask.kind == AskKind::matrix && ask.rows == 4) {
+    if (ask.columns == 4) {
         const float width = std::min(room, widest_matrix * sizes.enlarged);
         return widgets::Plate("answer", {width, 4.0F * ImGui::GetFrameHeight()});
     }
@@ -226,7 +224,7 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     std::string* const unread = style.is_open ? run.unread().data() : nullptr;
     const std::vector<double> before = answer.numbers;
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
-    if (ask.kind == AskKind::matrix && ask.rows == 4) {
+    if (ask.columns == 4) {
         glm::dmat4 matrix = matrix_of_rows(answer.numbers);
         // Fields are taller than plain numbers: keep the fields after the answer is given, as for a vector.
         widgets::Matrix("answer", matrix, {.editable = !style.presents, .read = typed_number, .unread = unread},
@@ -328,9 +326,9 @@ void draw_chosen(LessonRun& run, const AnswerStyle& style, const AnswerSizes& si
             draw_tile(sizes.tile_text(ask.items[static_cast<std::size_t>(item)], ask, width), min, tile,
                       sizes.letter() + sizes.padding(), {is_chosen, is_chosen && style.shows_right, false},
                       style.is_open, "item " + std::to_string(item + 1));
-        const std::string sign = !is_chosen                      ? ""
-                                 : ask.kind == AskKind::sequence ? std::to_string(at - shown.begin() + 1)
-                                                                 : "✓";
+        const std::string sign = !is_chosen                ? ""
+                                 : kind_of(ask).is_ordered ? std::to_string(at - shown.begin() + 1)
+                                                           : "✓";
         const float text_y = min.y + std::floor((tile.y - sizes.sign_font->FontSize) * 0.5F);
         ImGui::GetWindowDrawList()->AddText(sizes.sign_font, sizes.sign_font->FontSize,
                                             {min.x + sizes.padding(), text_y}, palette().accent, sign.c_str());
@@ -346,38 +344,72 @@ void draw_chosen(LessonRun& run, const AnswerStyle& style, const AnswerSizes& si
     ImGui::Dummy({0.0F, 0.0F});
 }
 
-}  // namespace
-
-bool needs_check(AskKind kind) {
-    return kind != AskKind::choice && kind != AskKind::goal;
-}
-
-float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents) {
+float choices_height(const Ask& ask, float width, const widgets::Context& context, bool presents) {
     const AnswerSizes sizes(context, presents);
     float height = 0.0F;
-    if (ask.kind == AskKind::choice) {
-        for (const float row : Choices(ask, width, context, presents).rows_px) height += row + sizes.gap();
-    } else if (is_typed(ask.kind)) {
-        const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
-        height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (sizes.frame_height() + sizes.gap());
-    } else if (ask.kind != AskKind::goal) {
-        height = tiles_height(ask, width, sizes);
-    }
+    for (const float row : Choices(ask, width, context, presents).rows_px) height += row + sizes.gap();
     return height;
+}
+
+float fields_height(const Ask& ask, float, const widgets::Context& context, bool presents) {
+    const AnswerSizes sizes(context, presents);
+    const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
+    return static_cast<float>((count + in_a_row - 1) / in_a_row) * (sizes.frame_height() + sizes.gap());
+}
+
+constexpr AnswerInput number_fields{
+    .height = fields_height,
+    .draw =
+        [](LessonRun& run, const AnswerStyle& style, float width) {
+            return draw_numbers(run, style, {widgets::CurrentContext(), style.presents}, width);
+        },
+};
+
+using DrawTiles = void (*)(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width);
+
+template <DrawTiles draw_tiles>
+constexpr AnswerInput tiles{
+    .height =
+        [](const Ask& ask, float width, const widgets::Context& context, bool presents) {
+            return tiles_height(ask, width, {context, presents});
+        },
+    .draw =
+        [](LessonRun& run, const AnswerStyle& style, float width) {
+            draw_tiles(run, style, {widgets::CurrentContext(), style.presents}, width);
+            return false;
+        },
+};
+
+}  // namespace
+
+namespace answer_inputs {
+
+constexpr AnswerInput choice{choices_height, draw_choices};
+constexpr AnswerInput number = number_fields, vector = number_fields, matrix = number_fields;
+constexpr AnswerInput order = tiles<draw_order>, product = order;
+constexpr AnswerInput sequence = tiles<draw_chosen>, subset = sequence;
+/// The whole window is the input.
+constexpr AnswerInput goal{[](const Ask&, float, const widgets::Context&, bool) { return 0.0F; },
+                           [](LessonRun&, const AnswerStyle&, float) { return false; }};
+
+static const AnswerInput& of(const Ask& ask) {
+    static constexpr std::array all{VIEWING_QUESTION_KINDS(VIEWING_ADDRESS)};
+    return *all[static_cast<std::size_t>(ask.kind)];
+}
+
+}  // namespace answer_inputs
+
+float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents) {
+    return answer_inputs::of(ask).height(ask, width, context, presents);
 }
 
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width) {
     const widgets::Group group("answers");
-    const AskKind kind = run.step().ask.kind;
-    if (kind == AskKind::choice) return draw_choices(run, style, width);
     widgets::Context& context = widgets::CurrentContext();
-    const AnswerSizes sizes(context, style.presents);
     ImFont* const number_font = context.fonts.number;
     if (style.presents) context.fonts.number = context.fonts.matrix;  // numbers as large as sentences
-    ImGui::PushFont(sizes.font);
-    const bool is_given = is_typed(kind) && draw_numbers(run, style, sizes, width);
-    if (kind == AskKind::order || kind == AskKind::product) draw_order(run, style, sizes, width);
-    if (kind == AskKind::sequence || kind == AskKind::subset) draw_chosen(run, style, sizes, width);
+    ImGui::PushFont(AnswerSizes(context, style.presents).font);
+    const bool is_given = answer_inputs::of(run.step().ask).draw(run, style, width);
     ImGui::PopFont();
     context.fonts.number = number_font;
     return is_given;

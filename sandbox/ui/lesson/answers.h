@@ -20,7 +20,4 @@ struct AnswerStyle {
 /// field, has submitted the answer. Ordered answers are submitted with the Check button.
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width);
 
-/// Whether answers of this kind need the Check button.
-bool needs_check(AskKind kind);
-
 }  // namespace viewing

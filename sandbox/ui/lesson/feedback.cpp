@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/question_kind.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -30,7 +31,7 @@ void draw_told(bool is_right, const std::string& text, float width, const char* 
 
 /// Returns "x, z" or "1, 3".
 std::string places_in_words(const Ask& ask, const std::vector<int>& places) {
-    const bool has_letters = ask.kind == AskKind::vector && ask.rows == 3;
+    const bool has_letters = ask.rows == 3 && ask.columns == 1;
     std::string text;
     for (const int place : places)
         text += (text.empty() ? "" : ", ") + (has_letters ? std::string(1, "xyz"[place - 1]) : std::to_string(place));
@@ -57,7 +58,7 @@ std::string other_row_in_words(const Verdict& verdict) {
 /// numbers.
 std::string not_yet(const Ask& ask, const Verdict& verdict, int hints_shown) {
     const std::string places = places_in_words(ask, verdict.places);
-    const bool is_matrix = ask.kind == AskKind::matrix;
+    const bool is_matrix = ask.columns > 1;
     switch (verdict.near) {
         case Near::factor:
             return tr("Not yet: all numbers are right up to one common factor.");
@@ -107,7 +108,7 @@ std::string feedback_on(const LessonRun& run, const Verdict& verdict) {
     const Ask& ask = run.step().ask;
     const Answer& answer = run.answer();
     const std::string own = not_yet(ask, verdict, run.hints_shown());
-    if (has_items(ask.kind) && answer.empty()) return tr("Nothing is chosen yet.");
+    if (kind_of(ask).has_items && answer.empty()) return tr("Nothing is chosen yet.");
     const std::string other = other_row_in_words(verdict);
     if (other.empty()) return own;
     return (verdict.near == Near::nothing ? std::string(tr("Not yet.")) : own) + " " + other;
@@ -125,7 +126,7 @@ float feedback_height(const LessonRun& run, float width, const widgets::Context&
     };
     for (const LessonChoice& choice : step.ask.choices) say(choice.why);
     for (const WrongAnswer& wrong : step.ask.wrong) say(wrong.say);
-    if (is_typed(step.ask.kind)) say(LessonText{{what_cannot_be_read("0.0.0.0.0.0.0.0.0.0")}});
+    if (kind_of(step.ask).is_typed) say(LessonText{{what_cannot_be_read("0.0.0.0.0.0.0.0.0.0")}});
     return height;
 }
 
@@ -151,7 +152,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
         draw_told(true, tr("Goal met."), width, "verdict");
     else if (!verdict.say.empty())
         draw_told(false, verdict.say.shown(), width, "verdict");
-    else if (step.ask.kind != AskKind::goal)
+    else if (!kind_of(step.ask).is_on_screen)
         draw_told(false, feedback_on(run, verdict), width, "verdict");
 }
 

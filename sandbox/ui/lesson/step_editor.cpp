@@ -139,7 +139,7 @@ void StepEditor::draw_states(Guide& guide, Session& session) {
         "The step begins with the state on the screen, including its views, its layout and the followed point.");
     if (flowing_button("Use screen as answer", marked("The answer reveals the state on the screen.")))
         write(with_revealed(source_, step_, step.start.params, session.params), guide);
-    if (step.ask.kind == AskKind::choice && flowing_button("Add a choice", marked("Adds a wrong choice.")))
+    if (!step.ask.choices.empty() && flowing_button("Add a choice", marked("Adds a wrong choice.")))
         write(with_choice(source_, step_), guide);
 }
 

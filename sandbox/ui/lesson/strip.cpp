@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "lesson/question_kind.h"
 #include "text/catalogue.h"
 #include "ui/lesson/answers.h"
 #include "ui/lesson/feedback.h"
@@ -152,7 +153,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
     height += answers_height(step.ask, width, context, presents);
     if (!presents && !step.ask.factors.empty()) height += product_row_height(step.ask, width, context) + gap;
     height += static_cast<float>(step.ask.progress.size()) * (context.fonts.text->FontSize + gap);
-    if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
+    if (!presents && kind_of(step.ask).needs_check) height += button_height(context) + gap;
     return height + feedback_height(run, width, context, presents);
 }
 
@@ -233,7 +234,7 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
     wishes.check = draw_answers(run, style, width);
     if (!look.presents) draw_product_row(run, width);
     draw_progress(run, width);
-    if (!look.presents && needs_check(step.ask.kind)) {
+    if (!look.presents && kind_of(step.ask).needs_check) {
         const bool is_open = !run.is_revealed();
         wishes.check = widgets::Button("Check", is_open, "") || wishes.check;
         if (step.ask.rows > 1) {

@@ -1,10 +1,6 @@
 // The topics that the two views below the camera view can show, and the current ones. Pure functions.
 #pragma once
 
-#include <imgui.h>
-
-#include <span>
-
 #include "state/params.h"
 
 namespace viewing {
@@ -25,20 +21,5 @@ Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.
 bool is_shown(const Params& params, Topic topic);
-
-/// Whether the topic's picture shows a space from outside, so that dragging it turns the observer.
-bool is_seen_from_outside(Topic topic);
-
-/// Whether a lower view examines the pinned pixel: a click in the camera view then pins one.
-bool examines_pixel(const Params& params);
-
-/// The size in design pixels below which a topic's view is hard to read from the back row.
-ImVec2 least_size_on_stage(Topic topic);
-/// Returns the height in design pixels to which a crowded stage may shrink the view. Tables and charts keep all their
-/// content.
-float lowest_on_stage(Topic topic);
-
-/// The topics' names for the list, in the order of Topic; the first one is `automatic`.
-std::span<const char* const> topic_names();
 
 }  // namespace viewing

@@ -8,7 +8,7 @@
 #include "text/numbers.h"
 #include "ui/hidden/hidden_overlay.h"
 #include "ui/parts/look.h"
-#include "ui/views/views.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing {
 namespace {

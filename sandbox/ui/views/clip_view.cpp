@@ -9,6 +9,7 @@
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
+#include "ui/views/lower_view.h"
 #include "ui/views/outside.h"
 
 namespace viewing {
@@ -115,7 +116,10 @@ Rect slider_row(const Rect& rect, const char* path) {
     return row;
 }
 
-void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture) {
+namespace {
+
+void draw_clip_view(const FrameContext& frame) {
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
     const widgets::Group group("clip");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     // The slider is submitted before the picture, so that it gets the mouse input, but it is drawn on top of the
@@ -148,5 +152,15 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
     }
     draw->ChannelsMerge();
 }
+
+}  // namespace
+
+const LowerView lower_views::clip{
+    .title = marked("Clip space"),
+    .draw = draw_clip_view,
+    .camera = [](const Params& params, const Derived& derived, const Scene&,
+                 const Rect& rect) { return derive_clip_view(params, derived, {rect.size_px()}); },
+    .turns = true,
+};
 
 }  // namespace viewing

@@ -9,6 +9,7 @@
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
+#include "ui/views/lower_view.h"
 #include "ui/views/observer_parts.h"
 #include "ui/views/outside.h"
 
@@ -43,8 +44,11 @@ void observer_mouse(ViewState& state, Session& session) {
     clamp_to_ranges(session.params);
 }
 
-void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                        ImTextureID picture, const HiddenStatus& hidden) {
+namespace {
+
+void draw_observer_view(const FrameContext& frame) {
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
+    header_note("camera frustum, light, plane", rect.max.x);
     const widgets::Group group("observer");
     picture_item("observer view", rect, picture);
     const bool over = ImGui::IsItemHovered();
@@ -70,7 +74,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.chosen_light());
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
     if (shows.image_space) label_image_space(overlay, derived);
-    draw_hidden_observer(state.hidden.links.now, hidden, overlay);
+    draw_hidden_observer(state.hidden.links.now, pictures.hidden, overlay);
     draw_why_overlay(state.why, overlay);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     draw_plane_handles(overlay, places, hovered);
@@ -78,8 +82,8 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (!state.target || session.params.follow) draw_derivation_overlay(overlay, session.params, derived);
 }
 
-void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
-                            ImTextureID picture) {
+void draw_moving_world_view(const FrameContext& frame) {
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
     picture_item("lower view", rect, picture);
     observer_mouse(state, session);
     const ObserverView view = derive_moving_world(session.params.observer, derived, {rect.size_px()});
@@ -105,5 +109,23 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     }
     overlay.keep_labels_off(sentence_over_picture(overlay.draw(), rect, palette().camera, whole, brief));
 }
+
+}  // namespace
+
+const LowerView lower_views::observer{
+    .title = marked("Observer"),
+    .draw = draw_observer_view,
+    .camera = [](const Params& params, const Derived&, const Scene&,
+                 const Rect& rect) { return derive_observer(params.observer, {rect.size_px()}); },
+    .turns = true,
+};
+
+const LowerView lower_views::moving_world{
+    .title = marked("Moving the world"),
+    .draw = draw_moving_world_view,
+    .camera = [](const Params& params, const Derived& derived, const Scene&,
+                 const Rect& rect) { return derive_moving_world(params.observer, derived, {rect.size_px()}); },
+    .turns = true,
+};
 
 }  // namespace viewing

@@ -110,9 +110,6 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
 /// Draws a ring around the pinned pixel, large enough to be visible.
 void draw_pin(const Overlay& overlay, glm::ivec2 pixel);
 
-/// Draws eye space, NDC, or a space between the two: the frustum with the scene inside, seen from outside.
-void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture);
-
 /// Pins a pixel of the camera's picture and replaces any other pin. If this pixel is already pinned, removes the pin.
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
@@ -124,19 +121,6 @@ std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm:
 
 /// Returns the lower view to show if only one fits.
 Slot lower_shown(const ViewState& state, const Params& params);
-
-/// Draws one of the two lower views. `plan`: the camera's frame. `is_alone`: the other view does not fit, so its name
-/// is a button that shows it.
-void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
-                     const Rect& rect, const Pictures& pictures, bool is_alone);
-
-/// Draws the observer's picture and its overlay. The header is already drawn.
-void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                        ImTextureID picture, const HiddenStatus& hidden);
-
-/// Draws the world moving in front of a fixed camera.
-void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
-                            ImTextureID picture);
 
 /// Returns the handle, or none if it must not move now.
 Handle movable_handle(const ViewState& state, Handle handle);

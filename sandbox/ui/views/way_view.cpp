@@ -12,6 +12,7 @@
 #include "text/words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
+#include "ui/views/lower_view.h"
 #include "ui/views/outside.h"
 
 namespace viewing {
@@ -259,7 +260,10 @@ void play_way(double& way, widgets::StepPlayer& player, double dt_s, bool moves)
     player.playing = false;
 }
 
-void draw_way_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
+namespace {
+
+void draw_way_view(const FrameContext& frame) {
+    const auto& [state, session, derived, plan, pictures, rect, picture] = frame;
     const widgets::Group group("way");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     // The slider and the button are submitted before the picture, so that they get the mouse input, but are drawn on
@@ -308,5 +312,17 @@ void draw_way_view(ViewState& state, Session& session, const Derived& derived, c
     }
     draw->ChannelsMerge();
 }
+
+}  // namespace
+
+const LowerView lower_views::way{
+    .title = marked("The path of a point"),
+    .draw = draw_way_view,
+    .camera =
+        [](const Params& params, const Derived& derived, const Scene&, const Rect& rect) {
+            return derive_way_view(params, derived, {rect.size_px()}, free_of_numbers(rect));
+        },
+    .turns = true,
+};
 
 }  // namespace viewing

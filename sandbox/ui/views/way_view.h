@@ -21,6 +21,4 @@ Edges free_of_numbers(const Rect& rect);
 /// `moves` is false, jumps to it. Playback ends at the window.
 void play_way(double& way, widgets::StepPlayer& player, double dt_s, bool moves);
 
-void draw_way_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
-
 }  // namespace viewing

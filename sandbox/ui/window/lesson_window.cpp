@@ -3,6 +3,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lesson/question_kind.h"
 #include "platform/file.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
@@ -111,7 +112,7 @@ void Workbench::set_lesson_stage() {
     stage.has_lesson = true;
     cover_question(*run);
     if (stage.asks) {
-        const bool may_change_all = step.ask.kind == AskKind::goal && step.ask.allow.empty();
+        const bool may_change_all = kind_of(step.ask).is_on_screen && step.ask.allow.empty();
         if (!may_change_all) views.movable = step.start.params.view.layout.controls;
         if (views.movable) views.movable->insert(views.movable->end(), step.ask.allow.begin(), step.ask.allow.end());
     }

@@ -7,7 +7,7 @@
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/controls.h"
-#include "ui/parts/topics.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing {
 namespace {
@@ -109,7 +109,7 @@ std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLi
     for (const Field& field : fields())
         if (can_be_typed(field) && may_change(limits, field)) add_field(entries, field, params);
     for (const NamedFile& preset : lists.presets) add_preset(entries, preset);
-    const std::span<const char* const> topics = topic_names();
+    const std::span<const char* const> topics = topic_titles();
     for (std::size_t i = 1; limits.may_choose_view && i < topics.size(); ++i) {
         const auto topic = static_cast<Topic>(i);
         const std::string name(name_of(topic));

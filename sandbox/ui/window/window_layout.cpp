@@ -6,7 +6,7 @@
 #include "state/fields.h"
 #include "ui/matrices/display_code.h"
 #include "ui/matrices/followed_point.h"
-#include "ui/parts/topics.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing {
 namespace {
@@ -86,11 +86,12 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     const bool would_be_empty = !layout.controls.empty() && telling.control_rows == 0;
     arrangement.panel_folded = is_folded(params, "panel") || would_be_empty;
     arrangement.matrices_folded = is_folded(params, "matrices");
+    const LowerView &left = lower_view(params, Slot::left), &right = lower_view(params, Slot::right);
     StageViews& stage = arrangement.stage;
-    stage.least_left = least_size_on_stage(topic_of(params, Slot::left));
-    stage.least_right = least_size_on_stage(topic_of(params, Slot::right));
-    stage.lowest_left = lowest_on_stage(topic_of(params, Slot::left));
-    stage.lowest_right = lowest_on_stage(topic_of(params, Slot::right));
+    stage.least_left = left.least_size;
+    stage.least_right = right.least_size;
+    stage.lowest_left = left.lowest;
+    stage.lowest_right = right.lowest;
 }
 
 std::vector<std::string> matrices_about(const Params& params, std::string_view group) {

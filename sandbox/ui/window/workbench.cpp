@@ -7,8 +7,10 @@
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/lesson/strip.h"
+#include "ui/matrices/followed_point.h"
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
+#include "ui/views/lower_view.h"
 #include "ui/window/areas.h"
 #include "ui/window/window_layout.h"
 
@@ -40,26 +42,24 @@ Arrangement Workbench::arranged(const Session& session) const {
     now.in_lesson = guide.is_shown();
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
     constexpr float least_derivation = 420.0F;  // a figure with its lines beside it
-    for (const Slot slot : {Slot::left, Slot::right})
-        if (const Topic topic = topic_of(session.params, slot);
-            topic == Topic::shadow_derivation || topic == Topic::mirror_derivation) {
-            now.least_lower = least_derivation;
-            now.least_area = 100'000.0F;
-            // A derivation's lines need more height, unless the user has chosen a height.
-            constexpr float lines = 330.0F;
-            now.least_camera = 0.5F;
-            if (now.lower_height == Arrangement{}.lower_height) now.lower_height = lines;
-        }
+    if (is_any_shown(session.params, &LowerView::has_derivation)) {
+        now.least_lower = least_derivation;
+        now.least_area = 100'000.0F;
+        // A derivation's lines need more height, unless the user has chosen a height.
+        constexpr float lines = 330.0F;
+        now.least_camera = 0.5F;
+        if (now.lower_height == Arrangement{}.lower_height) now.lower_height = lines;
+    }
     if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
     if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
     if (!controls.empty() && !is_named(controls, "camera.navigation") && is_named(stage.highlight, "lamps"))
         now.telling.control_rows += rows_of_lamps;
-    const auto shows_code = [&](ViewName view, Slot slot) {
-        return now.maximized == view && topic_of(session.params, slot) == Topic::lecture_code;
+    const auto wants_matrices = [&](ViewName view, Slot slot) {
+        return now.maximized == view && lower_view(session.params, slot).wants_matrices;
     };
-    now.beside_matrices = !arrangement.bare && (shows_code(ViewName::lower_left, Slot::left) ||
-                                                shows_code(ViewName::lower_right, Slot::right));
+    now.beside_matrices = !arrangement.bare && (wants_matrices(ViewName::lower_left, Slot::left) ||
+                                                wants_matrices(ViewName::lower_right, Slot::right));
     return now;
 }
 
@@ -334,9 +334,11 @@ void Workbench::draw_views(Session& session, const WindowContent& content, const
         begin_area("lower views", lower_views_area(layout), ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
     }
-    const bool is_alone = !layout.lower_fit;
-    draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
-    draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
+    for (const Slot slot : {Slot::left, Slot::right}) {
+        const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
+        const ImTextureID picture = pictures.lower[static_cast<std::size_t>(slot)];
+        draw_lower_view(slot, {views, session, derived, plan, pictures, rect, picture}, !layout.lower_fit);
+    }
     if (arranged_now.maximized == ViewName::none && !layout.is_short && !arranged_now.presents)
         draw_splitters(layout, between);
     ImGui::End();

@@ -1,0 +1,29 @@
+// Internal to lesson/: what the kinds of questions need to read theirs.
+#pragma once
+
+#include "lesson/question_kind.h"
+#include "lesson/step_reader.h"
+
+namespace viewing {
+
+/// Adds a step's question, which is read as one of its kind.
+void add_ask(form::Object<LessonStep>& step_form, const LessonReading& reading);
+
+/// The members that hold an example of a wrong answer. The last one counts if both are given.
+inline constexpr const char* sample_keys[] = {"try", "value"};
+
+/// Reads examples that are numbers.
+void read_wrong_numbers(form::Object<LessonStep>& wrong);
+
+template <typename V>
+auto in_ask(V Ask::*member) {
+    return [member](LessonStep& step) -> V& { return step.ask.*member; };
+}
+
+/// Returns that member of the wrong answer that is being read.
+template <typename V>
+auto in_wrong(V WrongAnswer::*member) {
+    return [member](LessonStep& step) -> V& { return step.ask.wrong.back().*member; };
+}
+
+}  // namespace viewing
