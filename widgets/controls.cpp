@@ -98,12 +98,15 @@ namespace {
 
 constexpr float arrow_room = 18.0F;  ///< design pixels for the triangle of a closed list
 
-/// Draws a preview in the small font, in two tight lines if one is not enough; shortens the text if two are not.
+/// Draws a preview in the small font, in two tight lines if one is not enough and the field is high enough for two;
+/// else shortens the text.
 void DrawLongPreview(ImDrawList* draw, ImVec2 min, float height, const char* preview, float room) {
     const inner::FontScope font(CurrentContext().fonts.note);
     const std::string broken = BrokenAtBlanks(preview, room);
     const std::size_t end = broken.find('\n');
-    const bool fits = ImGui::CalcTextSize(broken.c_str()).x <= room && end == broken.rfind('\n');
+    const bool has_two_lines = 1.8F * ImGui::GetFontSize() <= height;
+    const bool fits = ImGui::CalcTextSize(broken.c_str()).x <= room && end == broken.rfind('\n') &&
+                      (end == std::string::npos || has_two_lines);
     const ImU32 ink = CurrentContext().palette.text;
     const ImVec2 at(min.x + ImGui::GetStyle().FramePadding.x, min.y);
     if (!fits || end == std::string::npos) {

@@ -131,6 +131,8 @@ struct Measured {
     std::vector<double> contrasts, sizes;         ///< one per letter; sizes in window heights
     std::vector<double> empty_parts, main_views;  ///< one per picture, relative to the area above the text
     std::vector<std::string> pale, missing;       ///< letters with too little contrast; letters that left no ink
+    double least_size = 1.0, most_empty = 0.0;    ///< the extremes, and where they are
+    std::string smallest, emptiest;
 
     void add(const Letter& letter, const std::string& where, const Image& image) {
         const bool is_word = letter.character >= 0x80 || std::isalnum(static_cast<int>(letter.character)) != 0;
@@ -144,6 +146,10 @@ struct Measured {
         const std::string what = where + ", \"" + test::utf8(letter.character) + "\" at " +
                                  std::to_string(static_cast<int>(letter.min.x)) + ", " +
                                  std::to_string(static_cast<int>(letter.min.y)) + ": ";
+        if (legible->size < least_size) {
+            least_size = legible->size;
+            smallest = what + "1/" + std::to_string(1.0 / legible->size);
+        }
         // A glyph thinner than a pixel never reaches its color.
         constexpr double least_contrast = 4.4, least_drawn = 0.3;
         if (legible->contrast < least_contrast) pale.push_back(what + std::to_string(legible->contrast));
@@ -181,8 +187,12 @@ protected:
         for (int i = 0; i < data.CmdListsCount; ++i)
             for (const Letter& letter : page.letters(*data.CmdLists[i])) all.add(letter, where, image);
         const Layout layout = window.layout();
-        all.empty_parts.push_back(
-            largest_empty_share(image, test::main_view(layout), static_cast<int>(layout.strip.min.y)));
+        const double empty = largest_empty_share(image, test::main_view(layout), static_cast<int>(layout.strip.min.y));
+        all.empty_parts.push_back(empty);
+        if (empty > all.most_empty) {
+            all.most_empty = empty;
+            all.emptiest = where + ": " + std::to_string(empty);
+        }
         all.main_views.push_back(static_cast<double>(test::main_share(layout)));
     }
 
@@ -191,7 +201,7 @@ protected:
         EXPECT_LE(all.pale.size(), all.contrasts.size() / 500) << all.pale.front();
         EXPECT_LE(all.missing.size(), all.contrasts.size() / 200) << all.missing.front();
         constexpr double least_size = 1.0 / 42.0, least_index = 0.77 / 41.0;
-        EXPECT_GE(quantile(all.sizes, 0.0), least_index) << "a letter is smaller than an index";
+        EXPECT_GE(all.least_size, least_index) << "a letter is smaller than an index: " << all.smallest;
         EXPECT_GE(quantile(all.sizes, 0.01), least_size) << "letters other than indices are small";
     }
 };

@@ -7,6 +7,7 @@
 //                              the same placeholders as its English text, and that places.h describes them. Prints a
 //                              line for each error and then exits with status 1.
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -18,7 +19,9 @@
 #include "places.h"
 #include "state/fields.h"
 #include "state/file/document.h"
+#include "state/mesh/coplanar.h"
 #include "state/presets.h"
+#include "state/scene.h"
 #include "text/po.h"
 
 namespace viewing {
@@ -60,15 +63,21 @@ void add(Texts& texts, std::string_view text, Origin origin) {
     if (has_word(shown)) texts.emplace(shown, std::move(origin));
 }
 
-/// Adds the names of a scene's or preset's objects, without the numbers at their ends.
-void add_objects(Texts& texts, const std::string& file, const std::string& where) {
-    std::ifstream stream(file);
-    const Json document = Json::parse(stream);
-    const Json scene = document.contains("scene") ? document.at("scene") : document;
-    if (!scene.is_object() || !scene.contains("objects")) return;
-    for (const Json& object : scene.at("objects")) {
-        const std::string name = object.value("name", "");
-        add(texts, name.substr(0, name.find_last_not_of("0123456789 ") + 1), {where, "name of an object"});
+/// Adds an object's name without the number at its end.
+void add_object(Texts& texts, const std::string& name, const std::string& where) {
+    add(texts, name.substr(0, name.find_last_not_of("0123456789 ") + 1), {where, "name of an object"});
+}
+
+/// Adds the names of the objects of all scenes in a scene, preset or lesson.
+void add_objects(Texts& texts, const Json& document, const std::string& where) {
+    if (!document.is_structured()) return;
+    for (const auto& [name, value] : document.items()) {
+        if (name != "objects" || !value.is_array()) {
+            add_objects(texts, value, where);
+            continue;
+        }
+        for (const Json& object : value)
+            if (object.is_object()) add_object(texts, object.value("name", ""), where);
     }
 }
 
@@ -80,9 +89,17 @@ void add_tables(Texts& texts) {
             {field.label, "label"}, {field.help, "help"}, {field.unit, "unit"}};
         for (const auto& [text, part] : parts) add(texts, text, {"sandbox/state/fields.cpp", name + part});
     }
-    for (const auto& [files, folder] : {std::pair{scenes(), "scenes"}, std::pair{presets(), "presets"}})
-        for (const NamedFile& file : files)
-            add_objects(texts, file.path.string(), fmt::format("assets/{}/{}.json", folder, file.name));
+    for (const char* folder : {"scenes", "presets", "lessons"}) {
+        std::set<std::filesystem::path> files;
+        for (const auto& file : std::filesystem::directory_iterator(assets_directory() / folder))
+            if (file.path().extension() == ".json") files.insert(file.path());
+        for (const std::filesystem::path& file : files) {
+            std::ifstream stream(file);
+            add_objects(texts, Json::parse(stream), fmt::format("assets/{}/{}", folder, file.filename().string()));
+        }
+    }
+    for (const ObjectDescription& object : coplanar_scene({}).objects)
+        add_object(texts, object.name, "sandbox/state/mesh/coplanar.cpp");
     for (const auto& [files, kind] : {std::pair{presets(), "preset"}, std::pair{scenes(), "scene"}}) {
         for (const NamedFile& file : files) {
             const std::string path = fmt::format("assets/{}s/{}.json", kind, file.name);

@@ -64,7 +64,7 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
         row.is_drawn = fragment.drawn;
         row.swatch = color_of(scene, fragment.object);
         row.texts = {std::to_string(rows.size() + 1),
-                     fragment.object,
+                     object_text(fragment.object),
                      number_text(fragment.eye_z, 3),
                      fragment.front_facing ? tr("front") : tr("back"),
                      code_text(fragment.stored, precision),

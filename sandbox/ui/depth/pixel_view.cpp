@@ -58,7 +58,9 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::PopFont();
     const bool in_two = !is_large && width >= px(320.0F);
     const float gap = px(16.0F), each = in_two ? std::floor(0.5F * (width - gap)) : width;
-    const float name_width = std::ceil(width_of(tr("width Δz"), fonts.text)) + px(is_large ? 20.0F : 8.0F);
+    float widest = 0.0F;
+    for (const PixelNumber& number : numbers) widest = std::max(widest, width_of(tr(number.name.c_str()), fonts.text));
+    const float name_width = std::ceil(widest) + px(is_large ? 20.0F : 8.0F);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
     for (std::size_t i = 0; i < in_columns + (has_last ? 1 : 0); ++i) {
