@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "ui/letters.h"
 #include "widget_test.h"
 #include "widgets/diagrams.h"
 
@@ -416,6 +417,32 @@ TEST_F(TreeDiagramTest, ATreeTooWideToReadIsFoldedAtFirst) {
     state.reveal_next = 16'000;
     ui.frames(2);
     EXPECT_TRUE(ui.has("tree/16000"));
+}
+
+TEST_F(TreeDiagramTest, OnStageNumbersAreWholeAndKeepTheirSize) {
+    context.is_on_stage = true;
+    nodes = complete_tree(10);
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].mark = 1000 + static_cast<int>(i);
+    style.size = ImVec2(420, 230);
+    start_diagram();
+    const RecordedItem view = ui.find("tree/view");
+    const viewing::test::Page page(ImGui::GetIO().Fonts->Fonts);
+    std::vector<viewing::test::Letter> letters;
+    for (int i = 0; i < ImGui::GetDrawData()->CmdListsCount; ++i)
+        for (const viewing::test::Letter& letter : page.letters(*ImGui::GetDrawData()->CmdLists[i]))
+            if (letter.character >= '0' && letter.character <= '9') letters.push_back(letter);
+    ASSERT_GE(state.collapsed.size(), 4U);
+    EXPECT_GE(letters.size(), 7U * 4U + state.collapsed.size() * 3U) << "each node's rank, and what the lowest hide";
+    for (const viewing::test::Letter& letter : letters) {
+        EXPECT_GE(letter.line_height, ImGui::GetIO().Fonts->Fonts[0]->FontSize);
+        EXPECT_FALSE(letter.is_shaved);
+        EXPECT_LE(letter.max.y, std::min(view.max.y, letter.clip.w)) << "cut at the lower edge";
+        for (const viewing::test::Letter& other : letters) {
+            const bool are_apart = other.max.x <= letter.min.x || letter.max.x <= other.min.x ||
+                                   other.max.y <= letter.min.y || letter.max.y <= other.min.y;
+            EXPECT_TRUE(&other == &letter || are_apart) << "two digits at " << letter.min.x << ", " << letter.min.y;
+        }
+    }
 }
 
 TEST_F(TreeDiagramTest, ALargeFoldOpensAFewLevelsAtATime) {

@@ -72,7 +72,12 @@ bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
 
 void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
     const TreeLayout& layout = state.layout;
-    const glm::dvec2 size = ViewSize(camera);
+    glm::dvec2 size = ViewSize(camera);
+    // Below the lowest boxes, folded nodes have a triangle and the number of nodes that they hide.
+    if (!state.collapsed.empty())
+        size.y = std::max(
+            size.y - (2.0 * camera.TriangleRadius() + FaceOf(CurrentContext().fonts.small_number).size) / camera.unit,
+            0.25 * size.y);
     const glm::dvec2 tree((layout.max_x - layout.min_x) * TreeCamera::pitch,
                           (layout.LevelCount() - 1) * TreeCamera::row);
     // The margin scales with the nodes.

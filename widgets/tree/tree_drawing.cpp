@@ -202,33 +202,31 @@ private:
                   Shown(color), label);
     }
 
-    /// Draws the traversal number above the node, on the side away from the edge to the parent. Uses smaller type if
-    /// the number would overlap a neighbor's, and omits the number if it would overlap even in the smallest type.
+    /// Draws the traversal number on the side away from the edge to the parent: beside the box if it fits, otherwise
+    /// above it. Above, uses smaller type if the number would overlap a neighbor's, but not on stage; omits the number
+    /// if it would overlap even so.
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);
         const std::string digits = std::to_string(At(node).mark);
         const bool leans_right = node > 0 && At(At(node).parent).back == node;
-        if (camera_.HasRoomBeside()) return DrawMarkBeside(node, center, face, digits, leans_right);
+        const ImU32 color = Shown(node == current_ ? palette_.accent : palette_.quiet);
+        const float width = face.Measure(digits).x, from_box = Px(4);
+        if (camera_.HasRoomBeside() && width <= 0.5F * camera_.Pitch() - half_.x - 1.5F * from_box) {
+            const float left = leans_right ? center.x + half_.x + from_box : center.x - half_.x - from_box - width;
+            face.Draw(draw_, ImVec2(std::floor(left), std::floor(center.y - 0.5F * face.size)), color, digits);
+            return;
+        }
         const float gap = Px(3), room = 0.5F * camera_.Pitch() - gap - Px(1);
-        const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
-        const float share = std::min(small, room / face.Measure(digits).x);
-        face.size = std::max(std::floor(face.size * share), Px(least_type));
+        if (!CurrentContext().is_on_stage) {
+            const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
+            face.size = std::max(std::floor(face.size * std::min(small, room / width)), Px(least_type));
+        }
         if (face.Measure(digits).x > room + Px(1)) return;
         const float left = leans_right ? center.x + gap : center.x - gap - face.Measure(digits).x;
         const float above = std::floor(center.y - half_.y - face.size - Px(node == selected_ ? 4 : 1));
         const ImVec2 at(std::floor(left), std::max(above, draw_->GetClipRectMin().y - Px(2)));
-        face.Draw(draw_, at, Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
-    }
-
-    /// Draws the traversal number beside the box instead, as large as the label if it fits.
-    void DrawMarkBeside(int node, ImVec2 center, Face face, const std::string& digits, bool leans_right) {
-        const float gap = Px(4), room = 0.5F * camera_.Pitch() - half_.x - 1.5F * gap;
-        face.size = std::max(std::floor(face.size * std::min(1.0F, room / face.Measure(digits).x)), Px(least_type));
-        const float width = face.Measure(digits).x;
-        const float left = leans_right ? center.x + half_.x + gap : center.x - half_.x - gap - width;
-        face.Draw(draw_, ImVec2(std::floor(left), std::floor(center.y - 0.5F * face.size)),
-                  Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
+        face.Draw(draw_, at, color, digits);
     }
 
     /// Draws the fold triangle of the hovered node. A folded node always has one, with the number of nodes it hides.
