@@ -9,4 +9,4 @@
 /// Declares an entry, inside a namespace with a type Entry; each is defined in the source that it is about.
 #define VIEWING_ENTRY(name) extern const Entry name;
 /// For a list of all entries, inside that namespace.
-#define VIEWING_ADDRESS(name) &name,
+#define VIEWING_ADDRESS(name) &(name),
