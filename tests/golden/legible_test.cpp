@@ -227,6 +227,7 @@ TEST_F(LegibleSlowTest, TypeOnStage) {
                       << quantile(all.contrasts, share) << ", type 1/" << 1.0 / quantile(all.sizes, share)
                       << ", largest empty part " << quantile(all.empty_parts, share) << ", main view "
                       << quantile(all.main_views, share) << "\n";
+        std::cout << "smallest letter: " << all.smallest << "\nlargest empty part: " << all.emptiest << "\n";
     }
 }
 
