@@ -104,7 +104,7 @@ void DrawLongPreview(ImDrawList* draw, ImVec2 min, float height, const char* pre
     const inner::FontScope font(CurrentContext().fonts.note);
     const std::string broken = BrokenAtBlanks(preview, room);
     const std::size_t end = broken.find('\n');
-    const bool has_two_lines = 1.8F * ImGui::GetFontSize() <= height;
+    const bool has_two_lines = 1.5F * ImGui::GetFontSize() <= height;  // lines of digits and letters may be tight
     const bool fits = ImGui::CalcTextSize(broken.c_str()).x <= room && end == broken.rfind('\n') &&
                       (end == std::string::npos || has_two_lines);
     const ImU32 ink = CurrentContext().palette.text;
