@@ -60,6 +60,23 @@ std::string size_text(glm::ivec2 size_px) {
     return std::to_string(size_px.x) + "x" + std::to_string(size_px.y);
 }
 
+/// Returns all that a frame draws, as bytes that can be compared.
+std::string bytes_of(const ImDrawData& data) {
+    std::string bytes;
+    const auto add = [&](const void* from, std::size_t count) { bytes.append(static_cast<const char*>(from), count); };
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        add(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+        add(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            add(&command.ClipRect, sizeof command.ClipRect);
+            add(&command.TextureId, sizeof command.TextureId);
+            add(&command.ElemCount, sizeof command.ElemCount);
+        }
+    }
+    return bytes;
+}
+
 }  // namespace
 
 void show(Studio& studio, ViewName maximized) {
@@ -77,13 +94,13 @@ RestingWindow::RestingWindow(Renderer& renderer, const LoadedState& state, const
 }
 
 Status RestingWindow::settle() {
-    Image last;
+    std::string last;
     for (int frame = 0; frame < most_frames; ++frame) {
         studio_.frame(surroundings_);
         if (studio_.session.message.is_error) return Error{studio_.session.message.text};
-        Image picture = studio_.read();
-        if (frame > 1 && picture == last && studio_.redraw_in_s() != 0.0) break;
-        last = std::move(picture);
+        std::string drawn = bytes_of(*ImGui::GetDrawData());
+        if (frame > 1 && drawn == last && studio_.redraw_in_s() != 0.0) break;
+        last = std::move(drawn);
     }
     return std::monostate{};
 }

@@ -22,7 +22,7 @@ public:
     RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                   std::optional<Color> ground = std::nullopt);
 
-    /// Draws the requested view until two frames in a row are equal. If a view by itself would have to scroll or be cut
+    /// Lays out the requested view until two frames in a row are equal. If a view by itself would have to scroll or be cut
     /// off, draws its contents smaller until all of them are visible; if they leave space, draws them larger. The error
     /// is the window's own message, or says that the size is too small and names one that is large enough.
     Status rest(const PictureRequest& request);
@@ -30,7 +30,7 @@ public:
     /// Whether everything is visible without cuts or scrolling.
     bool fits() const;
 
-    Image read() const { return studio_.read(); }
+    Image read() { return studio_.read(); }
     Layout layout() const;
     /// Draws the window once more and returns it as shapes, text and pictures.
     Drawing record();

@@ -193,15 +193,11 @@ Requests Studio::react(const Surroundings& surroundings) {
     return requests;
 }
 
-void Studio::render(glm::ivec2 size_px) {
-    if (window_.size_px() != size_px) window_ = gl::ColorTarget(size_px);
-    ImGui::Render();
-    // A frozen picture stays on screen: draw only the first frozen frame, whose message says that the picture is
-    // frozen.
-    const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
-    if (was_frozen && is_frozen_) return;
+void Studio::paint() {
+    if (std::exchange(is_painted_, true)) return;
+    if (window_.size_px() != size_px_) window_ = gl::ColorTarget(size_px_);
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
-    glViewport(0, 0, size_px.x, size_px.y);
+    glViewport(0, 0, size_px_.x, size_px_.y);
     const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(workbench.widgets.palette.ground);
     glClearColor(ground.x, ground.y, ground.z, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -299,7 +295,12 @@ Requests Studio::frame(const Surroundings& surroundings) {
         ImGui::NewFrame();
         workbench.show(session, content(), surroundings.input);
     }
-    render(surroundings.size_px);
+    ImGui::Render();
+    size_px_ = surroundings.size_px;
+    // A frozen picture stays on screen. The first frozen frame is the exception: its message says that it is frozen.
+    const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
+    if (!was_frozen || !is_frozen_) is_painted_ = false;
+    if (surroundings.shows_time) paint();
 
     if (settling_ > 0) --settling_;
     redraw_in_s_ = next_redraw_in_s();
@@ -321,14 +322,16 @@ Drawing Studio::record() const {
     return drawing;
 }
 
-void Studio::present() const {
+void Studio::present() {
+    paint();
     const glm::ivec2 size_px = window_.size_px();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, window_.framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-Image Studio::read() const {
+Image Studio::read() {
+    paint();
     return {window_.size_px().x, window_.size_px().y, gl::read_pixels(window_.framebuffer(), window_.size_px())};
 }
 

@@ -37,18 +37,22 @@ public:
         FrameInput input;
     };
 
-    /// Draws one frame, with the edits that its input makes, into the studio's own framebuffer. ImGui's IO must already
-    /// have the mouse and text input. A view that cannot be drawn keeps its last picture, and the message says why, so
-    /// that a lecture can go on.
+    /// Makes one frame, with the edits that its input makes. ImGui's IO must already have the mouse and text input. A
+    /// view that cannot be drawn keeps its last picture, and the message says why, so that a lecture can go on. On
+    /// screen, also paints it.
     Requests frame(const Surroundings& surroundings);
+
+    /// Draws the latest frame into the studio's own framebuffer, unless it is there already. present() and read() paint
+    /// first, so a frame that nobody sees costs no drawing.
+    void paint();
 
     /// Uses one color instead of the theme's for all backgrounds, in pictures and around them. Call before the first
     /// frame.
     void set_ground(Color color);
 
     /// Copies the latest frame to the default framebuffer.
-    void present() const;
-    Image read() const;
+    void present();
+    Image read();
     /// Returns the latest frame as shapes, text and pictures. Its lines must have been drawn without textures.
     Drawing record() const;
     /// Returns only the camera's picture, which shows the state that shown_state() returns. Draws it now if another
@@ -81,7 +85,6 @@ private:
     void gather_content(const Surroundings& surroundings);
     StatusLine status(bool shows_time);
     WindowContent content() const;
-    void render(glm::ivec2 size_px);
     /// Makes one exercise of the student's sheet per frame, since its numbers may have to be measured in pictures.
     void make_exercise();
     void record(double dt_s);
@@ -126,6 +129,8 @@ private:
     bool moves_ = false;      ///< an animation is running
     int settling_ = 0;        ///< remaining frames until ImGui has laid out the changes
     bool is_frozen_ = false;  ///< the window keeps its picture
+    bool is_painted_ = true;  ///< the framebuffer has the latest frame
+    glm::ivec2 size_px_{0};   ///< of the latest frame
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };
