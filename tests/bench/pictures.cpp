@@ -118,6 +118,7 @@ double whole_frame_ms(Renderer& renderer, const LoadedState& state, int count, g
     return median_thread_ms(count, [&](int i) {
         bench::edit(studio.session.params, i);
         studio.frame(surroundings);
+        studio.paint();
     });
 }
 

@@ -30,7 +30,7 @@ protected:
         return frames;
     }
     /// Returns the pixels of the status bar without the frame time.
-    static std::vector<std::uint8_t> status_bar(const Studio& studio) {
+    static std::vector<std::uint8_t> status_bar(Studio& studio) {
         constexpr int height_px = 20, first_px = 84;
         const Image window = studio.read();
         std::vector<std::uint8_t> bytes;
