@@ -68,7 +68,7 @@ TEST_F(FlightPictures, AreByteEqualToTheWindowsPictures) {
     };
     for (const Case& one : {Case{"opening", 1}, Case{"room", 2}, Case{"walkthrough", 3}, Case{"fighting-jiggle", 4}}) {
         SCOPED_TRACE(one.preset);
-        const Recorded recorded = fly(one.preset, one.seed, {1280, 720});
+        const Recorded recorded = fly(one.preset, one.seed, {800, 600});
         ASSERT_GT(recorded.flight.frames.size(), 20U);
         FlightWalk walk(std::make_shared<const Flight>(recorded.flight));
         Params last;
