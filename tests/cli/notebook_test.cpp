@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "cli/program.h"
+#include "text/json.h"
 
 namespace cli_tests {
 namespace {
