@@ -22,9 +22,9 @@ public:
     RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                   std::optional<Color> ground = std::nullopt);
 
-    /// Lays out the requested view until two frames in a row are equal. If a view by itself would have to scroll or be cut
-    /// off, draws its contents smaller until all of them are visible; if they leave space, draws them larger. The error
-    /// is the window's own message, or says that the size is too small and names one that is large enough.
+    /// Lays out the requested view until two frames in a row are equal. If a view by itself would have to scroll or be
+    /// cut off, draws its contents smaller until all of them are visible; if they leave space, draws them larger. The
+    /// error is the window's own message, or says that the size is too small and names one that is large enough.
     Status rest(const PictureRequest& request);
 
     /// Whether everything is visible without cuts or scrolling.

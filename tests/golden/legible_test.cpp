@@ -84,9 +84,9 @@ std::optional<Legible> measured(const Letter& letter, const Image& image) {
     return Legible{contrast(ink, ground), drawn, letter.line_height / static_cast<float>(image.height)};
 }
 
-/// The area of the largest rectangle without any mark, outside the rectangles of `main`, relative to the area above
+/// The area of the largest rectangle without any mark, outside the given rectangles, relative to the area above
 /// `bottom`.
-double largest_empty_share(const Image& image, const std::vector<Rect>& main, int bottom) {
+double largest_empty_share(const Image& image, const std::vector<Rect>& outside, int bottom) {
     constexpr int cell = 8;
     const auto is_plain = [&](int left, int top) {
         const testing::Rgb first = testing::rgb_at(image, {left, top});
@@ -94,7 +94,7 @@ double largest_empty_share(const Image& image, const std::vector<Rect>& main, in
             for (int x = left; x < left + cell; ++x)
                 if (testing::rgb_at(image, {x, y}) != first) return false;
         const ImVec2 middle(static_cast<float>(left + cell / 2), static_cast<float>(top + cell / 2));
-        return std::none_of(main.begin(), main.end(), [&](const Rect& rect) { return rect.contains(middle); });
+        return std::none_of(outside.begin(), outside.end(), [&](const Rect& rect) { return rect.contains(middle); });
     };
     const int columns = image.width / cell, rows = bottom / cell;
     std::vector<int> heights(static_cast<std::size_t>(columns));  // plain cells upward from the current row
@@ -188,7 +188,12 @@ protected:
         for (int i = 0; i < data.CmdListsCount; ++i)
             for (const Letter& letter : page.letters(*data.CmdLists[i])) all.add(letter, where, image);
         const Layout layout = window.layout();
-        const double empty = largest_empty_share(image, test::main_view(layout), static_cast<int>(layout.strip.min.y));
+        // A plate covers what the question is about, so it is not empty.
+        std::vector<Rect> full = test::main_view(layout);
+        window.texts();
+        for (const widgets::RecordedItem& item : widgets::CurrentContext().recorded)
+            if (item.text == "?") full.push_back({item.min, item.max});
+        const double empty = largest_empty_share(image, full, static_cast<int>(layout.strip.min.y));
         all.empty_parts.push_back(empty);
         constexpr double most_empty = 0.1;
         if (empty > most_empty) all.empty += "\n  " + where + ": " + std::to_string(empty);

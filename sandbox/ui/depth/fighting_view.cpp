@@ -224,8 +224,12 @@ void draw_fighting_titles(const FightingWidths& widths) {
 
 void draw_table(const std::vector<PairRow>& rows, bool is_behind) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
-    const FightingWidths widths = widths_of(rows, ImGui::GetContentRegionAvail().x);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    constexpr int lines_below = 3;  // the totals
+    const float height = room.y - static_cast<float>(lines_below) * ImGui::GetTextLineHeightWithSpacing();
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {px(cell_padding_x), padding_to_fill(static_cast<int>(rows.size()) + 1, height)});
+    const FightingWidths widths = widths_of(rows, room.x);
     const int shown =
         static_cast<int>(std::count_if(widths.begin(), widths.end(), [](float width) { return width > 0.0F; }));
     if (ImGui::BeginTable("pairs", shown, 0, {widths.sum(), 0.0F})) {

@@ -208,13 +208,14 @@ std::optional<std::size_t> draw_fragment_table(const std::vector<Fragment>& frag
     const std::vector<FragmentRow> rows = rows_of(fragments, precision, scene);
     ImGui::PushFont(fonts.text);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float row_height = ImGui::GetTextLineHeight() + 2.0F * px(cell_padding_y);
+    const float padding = padding_to_fill(static_cast<int>(rows.size()) + 1, room.y);
+    const float row_height = ImGui::GetTextLineHeight() + 2.0F * padding;
     const FragmentWidths widths = widths_of(rows, fonts, room.x - ImGui::GetStyle().ScrollbarSize);
     const int shown =
         static_cast<int>(std::count_if(widths.begin(), widths.end(), [](float width) { return width > 0.0F; }));
     const bool scrolls = room.y >= 4.0F * row_height;
     const ImVec2 size(std::min(room.x, widths.sum() + ImGui::GetStyle().ScrollbarSize), scrolls ? room.y : 0.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), padding});
     ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
     if (ImGui::BeginTable("fragments", shown, scrolls ? ImGuiTableFlags_ScrollY : 0, size)) {
         ImGui::TableSetupScrollFreeze(0, 1);

@@ -31,7 +31,7 @@ void draw_list(OrderViewState& state, PolygonLinks& links, Params& params, const
     if (selected != std::exchange(state.revealed, selected) && selected >= 0)
         if (const int place = place_of(result, selected); place >= 0) table.scroll_to(place);
     ImGuiListClipper clipper;
-    clipper.Begin(rows.count(), PolygonTable::row_height());
+    clipper.Begin(rows.count(), table.row_height());
     while (clipper.Step())
         for (int place = clipper.DisplayStart; place < clipper.DisplayEnd; ++place)
             if (table.row(place + 1, rows.row(place))) {
@@ -48,7 +48,7 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
                        {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
     if (!table.is_open()) return;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(hits.size()), PolygonTable::row_height());
+    clipper.Begin(static_cast<int>(hits.size()), table.row_height());
     while (clipper.Step())
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
             const RayHitRow& hit = hits[static_cast<std::size_t>(number)];
@@ -79,7 +79,7 @@ void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& resul
     if (!table.is_open()) return;
     const int reached = result.step < 0 ? result.step_count : result.step;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(result.touches.size()), PolygonTable::row_height());
+    clipper.Begin(static_cast<int>(result.touches.size()), table.row_height());
     while (clipper.Step())
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
             const PixelTouch& touch = result.touches[static_cast<std::size_t>(number)];

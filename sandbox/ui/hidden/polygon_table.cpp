@@ -10,7 +10,13 @@
 namespace viewing {
 namespace {
 
-constexpr float cell_padding = 1.0F;  ///< above and below a row, design pixels
+/// On stage, a short list is in the type of sentences, because a step is about its numbers.
+ImFont* font_of(int lines, ImVec2 room) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    constexpr float least_width = 300.0F;  // enough for "box, polygon 12" and "nearest vertex", design pixels
+    const float height = static_cast<float>(lines) * (fonts.caption->FontSize + 2.0F * px(cell_padding_y));
+    return widgets::HasPlainTitles() && room.x >= px(least_width) && room.y >= height ? fonts.caption : fonts.note;
+}
 
 /// Draws a swatch of the object's color before the polygon's name.
 void swatch(const OrderRow& row) {
@@ -28,8 +34,12 @@ void swatch(const OrderRow& row) {
 PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, const char* id, const char* detail,
                            int count, ImVec2 size)
     : links_(links), has_tree_(result.tree != nullptr), has_detail_(*detail != '\0') {
-    ImGui::PushFont(widgets::CurrentContext().fonts.note);
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(4.0F), px(cell_padding)});
+    const ImVec2 available = ImGui::GetContentRegionAvail();
+    const ImVec2 room(size.x > 0.0F ? size.x : available.x, size.y > 0.0F ? size.y : available.y);
+    const int lines = count + 1;  // with the titles
+    ImGui::PushFont(font_of(lines, room));
+    padding_px_ = padding_to_fill(lines, room.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(4.0F), padding_px_});
     is_open_ = ImGui::BeginTable(id, has_detail_ ? 3 : 2, ImGuiTableFlags_ScrollY, size);
     if (!is_open_) return;
     const float number_width = ImGui::CalcTextSize(std::to_string(count).c_str()).x + px(8.0F);
@@ -60,8 +70,8 @@ PolygonTable::~PolygonTable() {
     ImGui::PopFont();
 }
 
-float PolygonTable::row_height() {
-    return ImGui::GetTextLineHeight() + 2.0F * px(cell_padding);
+float PolygonTable::row_height() const {
+    return ImGui::GetTextLineHeight() + 2.0F * padding_px_;
 }
 
 void PolygonTable::scroll_to(int place) const {

@@ -20,7 +20,7 @@ public:
     PolygonTable& operator=(const PolygonTable&) = delete;
 
     bool is_open() const { return is_open_; }  ///< if false, draw no rows
-    static float row_height();
+    float row_height() const;
 
     /// Scrolls to a row if it is out of view.
     void scroll_to(int place) const;
@@ -33,6 +33,7 @@ private:
     PolygonLinks& links_;
     bool has_tree_, has_detail_;
     bool is_open_ = false;
+    float padding_px_ = 0.0F;  ///< above and below a row
 };
 
 }  // namespace viewing

@@ -8,6 +8,7 @@
 
 #include "lesson/append.h"
 #include "platform/file.h"
+#include "platform/sanitized.h"
 #include "state/scene.h"
 
 namespace viewing {
@@ -48,8 +49,10 @@ StepPart part_of(const LessonSource& source, std::size_t step, Kind kind, std::s
     return {};
 }
 
-/// Writing back any part of any step of the program's own lessons, in either language, changes nothing.
+/// Writing back any part of any step of three of the program's lessons, in either language, changes nothing; under
+/// sanitizers, every tenth part.
 TEST(EditSteps, WritingBackEveryPartOfTheLessonsChangesNothing) {
+    const std::size_t stride = is_sanitized ? 10 : 1;
     std::size_t parts = 0;
     for (const char* name : {"01-view-is-the-inverse.json", "08-two-buffers.json", "13-any-plane-any-light.json"}) {
         const LessonSource source = lesson_file(name);
@@ -57,14 +60,13 @@ TEST(EditSteps, WritingBackEveryPartOfTheLessonsChangesNothing) {
         for (std::size_t step = 0; step < before.steps.size(); ++step)
             for (const Language language : {Language::en, Language::ko})
                 for (const StepPart& part : step_parts(source, step, language)) {
-                    if (part.kind == Kind::right) continue;
+                    if (part.kind == Kind::right || (++parts % stride != 0)) continue;
                     const Result<std::string> text = with_part(source, step, part, language);
                     ASSERT_TRUE(text) << text.error() << " " << part.place;
                     const Lesson after = read({*text, source.name, source.folder});
                     EXPECT_EQ(after.steps[step].ask.question, before.steps[step].ask.question) << part.place;
                     EXPECT_EQ(after.steps[step].reveal.say, before.steps[step].reveal.say) << part.place;
                     EXPECT_EQ(after.steps[step].note, before.steps[step].note) << part.place;
-                    ++parts;
                 }
     }
     EXPECT_GT(parts, 200U);

@@ -57,7 +57,7 @@ TEST(FlightRecorder, EndsWhenNoMorePicturesFit) {
 }
 
 /// If each frame changes a lot, the frames fill the file before there are 10,000.
-TEST(FlightRecorder, EndsBeforeItsFileIsTooLarge) {
+TEST(FlightRecorderSlowTest, EndsBeforeItsFileIsTooLarge) {
     FlightRecorder recorder;
     Params params;
     SceneDescription scene;

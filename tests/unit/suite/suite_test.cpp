@@ -240,8 +240,10 @@ protected:
     const fs::path folder = fs::temp_directory_path() / ("suite-files-" + std::to_string(::getpid()));
 };
 
+class SuiteFilesSlowTest : public SuiteFiles {};
+
 /// Small files that would expand too much are refused before they are expanded.
-TEST_F(SuiteFiles, ThatExpandTooMuchAreRefused) {
+TEST_F(SuiteFilesSlowTest, ThatExpandTooMuchAreRefused) {
     const std::string too_much =
         "suite.json: entries: have more than 128 MiB of settings, masks and texts, including the defaults";
     const std::string entries = "\"entries\":[" + repeated(R"({"name":"a"})", 3000) + "]";
