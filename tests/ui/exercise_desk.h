@@ -2,6 +2,8 @@
 // measured are missing.
 #pragma once
 
+#include <map>
+
 #include "desk.h"
 #include "report/state_numbers.h"
 
@@ -16,10 +18,17 @@ public:
     }
     /// Makes every variant; variants that need measurements remain errors.
     void make() {
+        static std::map<std::pair<std::string, std::size_t>, Result<LessonStep>> made;  // the same for every desk
         ExerciseDesk& desk = workbench.exercises;
-        while (const std::optional<std::size_t> next = desk.next_to_make())
-            desk.take_step(*next, variant_step(desk.entries()[*next].exercise, desk.entries()[*next].variant,
-                                               numbers_at_start(nullptr)));
+        while (const std::optional<std::size_t> next = desk.next_to_make()) {
+            const ExerciseDesk::Entry& entry = desk.entries()[*next];
+            auto known = made.find({entry.exercise.id, entry.variant});
+            if (known == made.end())
+                known = made.emplace(std::pair(entry.exercise.id, entry.variant),
+                                     variant_step(entry.exercise, entry.variant, numbers_at_start(nullptr)))
+                            .first;
+            desk.take_step(*next, known->second);
+        }
     }
     void begin(const std::string& id) {
         workbench.go_to_exercise(id, false);
