@@ -37,6 +37,40 @@ TEST_P(StageTablesTest, TablesOfPixelsAndFightingPairsFitCompletely) {
     EXPECT_GE(count, 10);
 }
 
+/// A short table fills its column: its last row is in the lower half, and a drawing order has the type of sentences.
+TEST_P(StageTablesTest, ShortTablesFillTheirColumn) {
+    struct Case {
+        const char* lesson;
+        std::size_t step;
+        const char* last;  ///< a number of the last row
+        bool is_large;     ///< as large as the sentences
+    };
+    for (const Case& one : {Case{"who-hides-whom", 2, "4.238", true}, Case{"depth-fighting", 0, "83.48", false}}) {
+        SCOPED_TRACE(one.lesson);
+        const Result<Lesson> lesson = load_lesson(one.lesson);
+        ASSERT_TRUE(lesson) << lesson.error();
+        const LoadedState& start = lesson->steps[one.step].start;
+        const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        PictureRequest request{.view = PictureView::window, .size_px = GetParam()};
+        request.lesson = std::make_shared<LessonPicture>(LessonPicture{*lesson, one.step, false, true});
+        RestingWindow window(renderer(), start, *scene);
+        ASSERT_TRUE(window.rest(request));
+        const Layout layout = window.layout();
+        const Rect column = layout.lower_left.empty() ? layout.lower_right : layout.lower_left;
+        const std::vector<SeenText> texts = window.texts();
+        const auto seen = [&texts](const std::string& part) {
+            return std::find_if(texts.begin(), texts.end(),
+                                [&](const SeenText& text) { return text.text.find(part) != std::string::npos; });
+        };
+        const std::string say = lesson->steps[one.step].say.in_english();
+        const auto last = seen(one.last), sentence = seen(say.substr(0, say.find(' ', 8)));
+        ASSERT_TRUE(last != texts.end() && sentence != texts.end());
+        EXPECT_GT(last->baseline_px, 0.5F * (column.min.y + column.max.y));
+        EXPECT_TRUE(!one.is_large || last->em_px >= sentence->em_px) << last->em_px;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Projectors, StageTablesTest, ::testing::Values(glm::ivec2(1024, 768), glm::ivec2(1280, 720)));
 
 }  // namespace
