@@ -195,13 +195,15 @@ Requests Studio::react(const Surroundings& surroundings) {
 
 void Studio::paint() {
     if (std::exchange(is_painted_, true)) return;
-    if (window_.size_px() != size_px_) window_ = gl::ColorTarget(size_px_);
+    ImDrawData* const data = ImGui::GetDrawData();
+    const glm::ivec2 size_px(data->DisplaySize.x, data->DisplaySize.y);
+    if (window_.size_px() != size_px) window_ = gl::ColorTarget(size_px);
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
-    glViewport(0, 0, size_px_.x, size_px_.y);
+    glViewport(0, 0, size_px.x, size_px.y);
     const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(workbench.widgets.palette.ground);
     glClearColor(ground.x, ground.y, ground.z, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    ImGui_ImplOpenGL3_RenderDrawData(data);
 }
 
 void Studio::make_exercise() {
@@ -296,7 +298,6 @@ Requests Studio::frame(const Surroundings& surroundings) {
         workbench.show(session, content(), surroundings.input);
     }
     ImGui::Render();
-    size_px_ = surroundings.size_px;
     // A frozen picture stays on screen. The first frozen frame is the exception: its message says that it is frozen.
     const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
     if (!was_frozen || !is_frozen_) is_painted_ = false;

@@ -130,7 +130,6 @@ private:
     int settling_ = 0;        ///< remaining frames until ImGui has laid out the changes
     bool is_frozen_ = false;  ///< the window keeps its picture
     bool is_painted_ = true;  ///< the framebuffer has the latest frame
-    glm::ivec2 size_px_{0};   ///< of the latest frame
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };

@@ -9,7 +9,22 @@
 namespace viewing {
 namespace {
 
-class StageTablesTest : public testing::GlTest, public ::testing::WithParamInterface<glm::ivec2> {};
+class StageTablesTest : public testing::GlTest, public ::testing::WithParamInterface<glm::ivec2> {
+protected:
+    /// Returns a step's stage at rest, at the parameter's size; null after a failure.
+    static std::unique_ptr<RestingWindow> stage_of(const Lesson& lesson, std::size_t step, bool is_revealed) {
+        const LoadedState& start = lesson.steps[step].start;
+        const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);
+        EXPECT_TRUE(scene) << scene.error();
+        if (!scene) return nullptr;
+        PictureRequest request{.view = PictureView::window, .size_px = GetParam()};
+        request.lesson = std::make_shared<LessonPicture>(LessonPicture{lesson, step, is_revealed, true});
+        auto window = std::make_unique<RestingWindow>(renderer(), start, *scene);
+        const Status rested = window->rest(request);
+        EXPECT_TRUE(rested) << rested.error();
+        return rested ? std::move(window) : nullptr;
+    }
+};
 
 TEST_P(StageTablesTest, TablesOfPixelsAndFightingPairsFitCompletely) {
     int count = 0;
@@ -20,16 +35,11 @@ TEST_P(StageTablesTest, TablesOfPixelsAndFightingPairsFitCompletely) {
             const LoadedState& start = lesson->steps[step].start;
             const bool has_table = is_shown(start.params, Topic::pixel) || is_shown(start.params, Topic::fighting);
             if (!has_table || start.params.view.layout.big != BigView::none) continue;
-            const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);
-            ASSERT_TRUE(scene) << scene.error();
             for (const bool revealed : {false, true}) {
                 if (!revealed && GetParam().x > 1024) continue;
-                PictureRequest request{.view = PictureView::window, .size_px = GetParam()};
-                request.lesson = std::make_shared<LessonPicture>(LessonPicture{*lesson, step, revealed, true});
-                RestingWindow window(renderer(), start, *scene);
-                const Status rested = window.rest(request);
-                ASSERT_TRUE(rested) << rested.error();
-                EXPECT_TRUE(window.fits()) << lesson->id << ", step " << step + 1 << (revealed ? ", answered" : "");
+                const std::unique_ptr<RestingWindow> window = stage_of(*lesson, step, revealed);
+                ASSERT_TRUE(window);
+                EXPECT_TRUE(window->fits()) << lesson->id << ", step " << step + 1 << (revealed ? ", answered" : "");
                 ++count;
             }
         }
@@ -49,16 +59,11 @@ TEST_P(StageTablesTest, ShortTablesFillTheirColumn) {
         SCOPED_TRACE(one.lesson);
         const Result<Lesson> lesson = load_lesson(one.lesson);
         ASSERT_TRUE(lesson) << lesson.error();
-        const LoadedState& start = lesson->steps[one.step].start;
-        const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);
-        ASSERT_TRUE(scene) << scene.error();
-        PictureRequest request{.view = PictureView::window, .size_px = GetParam()};
-        request.lesson = std::make_shared<LessonPicture>(LessonPicture{*lesson, one.step, false, true});
-        RestingWindow window(renderer(), start, *scene);
-        ASSERT_TRUE(window.rest(request));
-        const Layout layout = window.layout();
+        const std::unique_ptr<RestingWindow> window = stage_of(*lesson, one.step, false);
+        ASSERT_TRUE(window);
+        const Layout layout = window->layout();
         const Rect column = layout.lower_left.empty() ? layout.lower_right : layout.lower_left;
-        const std::vector<SeenText> texts = window.texts();
+        const std::vector<SeenText> texts = window->texts();
         const auto seen = [&texts](const std::string& part) {
             return std::find_if(texts.begin(), texts.end(),
                                 [&](const SeenText& text) { return text.text.find(part) != std::string::npos; });
