@@ -42,8 +42,9 @@ struct Measures {
     inner::Face number, symbol;
     float bracket, inset;  ///< from the edge to the bracket's line; from a cell's edge to its text
     float cell_width, cell_height, number_height;
-    int columns;   ///< characters that fit
-    int decimals;  ///< of every number that fits
+    float spread = 0.0F;  ///< extra space above and below the text of a cell
+    int columns;          ///< characters that fit
+    int decimals;         ///< of every number that fits
     bool symbols = false;
 
     Measures(const glm::dmat4& value, const MatrixStyle& style, float width);
@@ -109,7 +110,9 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     bracket = Px(7);
     cell_width = std::floor((width - 4.0F * bracket) / 4.0F);
     inset = std::min(Px(6), cell_width * 0.07F);
-    const float room = cell_width - 2.0F * inset, growth = CurrentContext().matrix_growth;
+    // The type grows less than the rows: larger digits would dwarf the text beside them.
+    constexpr float most_growth = 1.4F;
+    const float room = cell_width - 2.0F * inset, growth = std::min(CurrentContext().matrix_growth, most_growth);
     number.size = GrownSize(number, growth, room, ColumnsOf(value, style.decimals));
     symbol.size *= growth;
     symbols = FitSymbols(style, room, symbol);
@@ -127,6 +130,9 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     const float usual = inner::FaceOf(CurrentContext().fonts.matrix).size, small = symbol.size / growth;
     const float shown_height = growth * ShownHeight(usual, hides_symbols, symbols ? small : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
+    const float stretch = CurrentContext().matrix_growth / growth;
+    spread = std::floor(0.5F * (stretch - 1.0F) * shown_height);
+    cell_height += 2.0F * spread;
 }
 
 void DrawBrackets(ImDrawList* draw, ImVec2 min, ImVec2 max, float at, bool overridden) {
@@ -166,7 +172,7 @@ void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const Ma
     const Context& context = CurrentContext();
     const bool is_for_audience = context.is_on_stage || context.palette.stroke > 1.0F;
     const bool stands_back = state.zero && !state.lit && !state.changed && !is_for_audience;
-    layout.Draw(draw, ImVec2(std::floor(x), std::floor(min.y + Px(3) + measures.number_height)),
+    layout.Draw(draw, ImVec2(std::floor(x), std::floor(min.y + measures.spread + Px(3) + measures.number_height)),
                 stands_back ? 0.65F : 1.0F);
 }
 
@@ -178,8 +184,9 @@ void DrawNumber(ImDrawList* draw, ImVec2 min, const Measures& measures, double v
     const Palette& palette = CurrentContext().palette;
     const ImU32 color = state.zero && !state.changed && !state.lit ? palette.quiet : palette.text;
     const float width = measures.number.Measure(text.view()).x;
-    measures.number.Draw(draw, ImVec2(std::floor(max.x - measures.inset - width), std::floor(min.y + Px(3))),
-                         inner::Shown(color), text.view());
+    const float top = min.y + measures.spread + Px(3);
+    measures.number.Draw(draw, ImVec2(std::floor(max.x - measures.inset - width), std::floor(top)), inner::Shown(color),
+                         text.view());
     inner::RecordRect(cell_names[cell], min, max, text.view());
 }
 
@@ -193,7 +200,7 @@ bool EditNumber(ImVec2 min, const Measures& measures, glm::dmat4& value, const M
                              .links = info ? info->links : 0,
                              .read = style.read,
                              .unread = style.unread ? style.unread + cell : nullptr};
-    ImGui::SetCursorScreenPos(ImVec2(min.x + Px(1), min.y + Px(2)));
+    ImGui::SetCursorScreenPos(ImVec2(min.x + Px(1), min.y + measures.spread + Px(2)));
     return inner::NumberBox(cell_names[cell], Entry(value, cell), number, measures.cell_width - Px(2));
 }
 

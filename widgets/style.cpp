@@ -66,7 +66,7 @@ constexpr Palette projector{
     .accent = Rgb(0x1D5FB4),
     .view_ground = Rgb(0xF2F4F7),
     .light = Rgb(0x9C5400),
-    .plane = Rgb(0x057953),
+    .plane = Rgb(0x04704C),
     .camera = Rgb(0x21709C),
     .mirror = Rgb(0xA04F7C),
     .point = Rgb(0x4C6A00),

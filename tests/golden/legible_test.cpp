@@ -134,6 +134,7 @@ struct Measured {
     double least_size = 1.0;                      ///< of all letters
     std::string smallest;                         ///< the letter of that size
     std::string empty;                            ///< pictures with an empty part of more than a tenth, a line each
+    std::string narrow;                           ///< pictures whose main view has less than its share, a line each
 
     void add(const Letter& letter, const std::string& where, const Image& image) {
         const bool is_word = letter.character >= 0x80 || std::isalnum(static_cast<int>(letter.character)) != 0;
@@ -197,7 +198,10 @@ protected:
         all.empty_parts.push_back(empty);
         constexpr double most_empty = 0.1;
         if (empty > most_empty) all.empty += "\n  " + where + ": " + std::to_string(empty);
-        all.main_views.push_back(static_cast<double>(test::main_share(layout)));
+        const double share = static_cast<double>(test::main_share(layout));
+        const double least_share = hall.size_px.x * 3 > hall.size_px.y * 4 ? 0.5 : 0.4;
+        if (share < least_share) all.narrow += "\n  " + where + ": " + std::to_string(share);
+        all.main_views.push_back(share);
     }
 
     static void expect_legible(const Measured& all) {
@@ -234,7 +238,10 @@ TEST_F(LegibleSlowTest, TypeOnStage) {
                       << quantile(all.contrasts, share) << ", type 1/" << 1.0 / quantile(all.sizes, share)
                       << ", largest empty part " << quantile(all.empty_parts, share) << ", main view "
                       << quantile(all.main_views, share) << "\n";
-        std::cout << "smallest letter: " << all.smallest << "\nmore than a tenth empty:" << all.empty << "\n";
+        std::cout << "smallest letter: " << all.smallest << "\nmore than a tenth empty:" << all.empty
+                  << "\nmain view too small:" << all.narrow << "\npale letters:";
+        for (const std::string& letter : all.pale) std::cout << "\n  " << letter;
+        std::cout << "\n";
     }
 }
 

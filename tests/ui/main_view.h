@@ -12,8 +12,9 @@ inline float area_of(const Rect& rect) {
     return rect.empty() ? 0.0F : rect.width() * rect.height();
 }
 
-/// Returns the rectangles of the largest view: two if a second picture is beside the camera's.
+/// Returns the rectangles of the camera's pictures, or of the view that is shown large in their place.
 inline std::vector<Rect> main_view(const Layout& layout) {
+    if (!layout.camera.empty()) return {layout.camera, layout.beside};
     const std::vector<std::vector<Rect>> views = {
         {layout.camera, layout.beside}, {layout.lower_left}, {layout.lower_right}, {layout.matrices}};
     const auto whole = [](const std::vector<Rect>& view) {
@@ -25,7 +26,7 @@ inline std::vector<Rect> main_view(const Layout& layout) {
                              [&](const auto& a, const auto& b) { return whole(a) < whole(b); });
 }
 
-/// Returns the fraction of the area above the lesson's text that the largest view occupies.
+/// Returns the fraction of the area above the lesson's text that the main view occupies.
 inline float main_share(const Layout& layout) {
     float sum = 0.0F;
     for (const Rect& rect : main_view(layout)) sum += area_of(rect);

@@ -76,7 +76,8 @@ bool CrossesLine(const Box& box, std::span<const LineName> lines) {
 /// Returns a place to the right or left of the line, in the highest free row.
 std::optional<Box> RoomFor(const ChartPlot& plot, float x, ImVec2 size, std::span<const Box> taken,
                            std::span<const LineName> not_over) {
-    const float row = size.y + Px(4), away = Px(7), lowest = plot.min.y + 0.6F * (plot.max.y - plot.min.y);
+    // A name is also outside the frame around its line.
+    const float row = size.y + Px(4), away = Px(11), lowest = plot.min.y + 0.6F * (plot.max.y - plot.min.y);
     for (float top = plot.min.y + Px(4); top + size.y <= lowest; top += row) {
         for (const float left : {x + away, x - away - size.x}) {
             const Box box{ImVec2(std::floor(left), std::floor(top)),

@@ -39,8 +39,8 @@ std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std:
     const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
     double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
     for (const LightShare& one : surface.color.lights) all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
-    return say("n·ℓ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
-               "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
+    return say("n·ℓ = {cosine}: {share} of the surface's light.", "cosine"_a = number_text(share->cosine, 2),
+               "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
 
 /// Says which shadow passes darken the pixel for one light, and which caster's point S maps to it.
@@ -74,8 +74,8 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
     if (is_missing_light)
         said += tr("The stencil marks the pixel, and the plane is drawn without this light.");
     else
-        said += say_count(shadow.passing, "The shadow is blended over the pixel once.",
-                          "The shadow is blended over the pixel {count} times.");
+        said +=
+            say_count(shadow.passing, "The shadow is blended here once.", "The shadow is blended here {count} times.");
     return said;
 }
 

@@ -169,8 +169,9 @@ void add_ray_row(Why& made, const WhyQuestion& question) {
             ", " + say_count(static_cast<std::int64_t>(met.size() - most), "one more surface", "{count} more surfaces");
     made.rows.push_back({.kind = WhyRow::Kind::ray,
                          .title = tr("Ray"),
-                         .sentence = said.empty()
-                                         ? tr("The ray meets no surface.")
+                         .sentence = met.empty() ? tr("The ray meets no surface.")
+                                     : met.size() == 1
+                                         ? say("The ray meets {surface}.", "surface"_a = said)
                                          : say("The ray meets, from near to far: {surfaces}.", "surfaces"_a = said),
                          .is_quiet = met.empty()});
     if (met.empty()) return;

@@ -49,20 +49,24 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
 }
 
 /// Draws the numbers, filling the first column and then the second. The last number, the world position, has its own
-/// row, which small views omit when presenting. Leaves the cursor below the numbers.
-void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width) {
+/// row, which small views omit when presenting. Leaves the cursor below the numbers. `lines_below`: of the table that
+/// shares the height with them, or 0 if the numbers do not spread.
+void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width, int lines_below) {
     const ViewFonts fonts = fonts_of(is_large);
     ImGui::PushFont(fonts.text);
     const bool has_last = is_large || !widgets::HasPlainTitles();
-    const float height = ImGui::GetTextLineHeight() + px(is_large ? 5.0F : has_last ? 2.0F : 0.0F);
-    ImGui::PopFont();
     const bool in_two = !is_large && width >= px(320.0F);
+    const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
+    float height = ImGui::GetTextLineHeight() + px(is_large ? 5.0F : has_last ? 2.0F : 0.0F);
+    if (lines_below > 0 && !has_last)
+        height += 2.0F * (padding_to_fill(static_cast<int>(rows) + lines_below, ImGui::GetContentRegionAvail().y) -
+                          px(cell_padding_y));
+    ImGui::PopFont();
     const float gap = px(16.0F), each = in_two ? std::floor(0.5F * (width - gap)) : width;
     float widest = 0.0F;
     for (const PixelNumber& number : numbers) widest = std::max(widest, width_of(tr(number.name.c_str()), fonts.text));
     const float name_width = std::ceil(widest) + px(is_large ? 20.0F : 8.0F);
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
     for (std::size_t i = 0; i < in_columns + (has_last ? 1 : 0); ++i) {
         const bool is_last = i == in_columns;
         const std::size_t row = is_last ? rows : i % rows, column = is_last ? 0 : i / rows;
@@ -107,7 +111,7 @@ void draw_pixel(Session& session, const Derived& derived, const DepthData& data)
     const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const bool beside = room.x >= px(760.0F), is_large = room.x >= px(900.0F);
     const float numbers_width = beside ? px(is_large ? 340.0F : 230.0F) : room.x;
-    draw_numbers(numbers, is_large, numbers_width);
+    draw_numbers(numbers, is_large, numbers_width, beside ? 0 : static_cast<int>(data.fragments.size()) + 1);
     if (beside) {
         const float left = from.x + numbers_width + px(20.0F);
         ImGui::SetCursorScreenPos({left, from.y});

@@ -88,7 +88,7 @@ bool PolygonTable::row(int number, const OrderRow& row) {
     if (row.is_current || is_lit)
         ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, row.is_current ? 90U : 45U));
     const bool is_plain = row.is_reached || row.is_current;
-    ImGui::PushStyleColor(ImGuiCol_Text, is_plain ? palette().text : with_alpha(palette().quiet, 170));
+    ImGui::PushStyleColor(ImGuiCol_Text, is_plain ? palette().text : palette().quiet);
     ImGui::TableNextColumn();
     const std::string digits = std::to_string(number);
     const bool is_clicked = select(row, digits);

@@ -141,8 +141,8 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     const auto place = [&] {
         float width = 0.25F * area.width();
         for (const StagePart& part : parts) width = std::max(width, part.least.x * scale);
-        // The main view keeps half of a wide area, and 45 % of a nearly square one.
-        width = std::min(width, (area.width() > 2.0F * area.height() ? 0.5F : 0.55F) * area.width());
+        // The main view keeps half of a wide area, and 46 % of a nearly square one.
+        width = std::min(width, (area.width() > 2.0F * area.height() ? 0.5F : 0.535F) * area.width());
         hero_right = area.max.x - width - gap;
         fit = place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
     };

@@ -8,7 +8,7 @@ namespace viewing {
 float padding_to_fill(int rows, float height) {
     const float line = ImGui::GetTextLineHeight(), usual = px(cell_padding_y);
     if (!widgets::HasPlainTitles()) return usual;
-    return std::clamp(std::floor(0.5F * (height / static_cast<float>(rows) - line)), usual, 0.5F * line + usual);
+    return std::clamp(std::floor(0.5F * (height / static_cast<float>(rows) - line)), usual, line + usual);
 }
 
 float width_of(const std::string& text, ImFont* font) {

@@ -24,7 +24,7 @@ struct ColumnWidths : std::array<float, count> {
 };
 
 /// Returns the padding above and below the cells of `rows` lines in the current font, in pixels. On stage, the lines
-/// spread over `height`, up to twice their usual distance.
+/// spread over `height`, up to three times their usual distance.
 float padding_to_fill(int rows, float height);
 
 /// Returns the width of a text in pixels.

@@ -31,9 +31,65 @@ ImU32 color_of_kind(WhyRow::Kind kind) {
     }
 }
 
+/// How the rows are laid out: their type, their columns, and the space after each, which a crowded stage makes
+/// negative.
 struct RowPlace {
-    float title_width, swatch_side, width;
+    ImFont* font;
+    float title_width, swatch_side, width, below = 0.0F;
+
+    float text_left() const { return title_width + px(10.0F); }
+    float text_width() const { return std::max(width - text_left() - swatch_side - px(8.0F), px(60.0F)); }
 };
+
+/// The texts of a row, broken into lines.
+struct RowTexts {
+    std::string title, sentence;
+    float height;
+
+    RowTexts(const WhyRow& row, const RowPlace& place) {
+        ImGui::PushFont(place.font);
+        title = widgets::BrokenAtBlanks(row.title, place.title_width);
+        sentence = widgets::BrokenAtBlanks(row.sentence, place.text_width());
+        height = std::max(ImGui::CalcTextSize(title.c_str()).y, ImGui::CalcTextSize(sentence.c_str()).y);
+        ImGui::PopFont();
+    }
+};
+
+/// Returns the indices of the rows to draw. On stage, which has no Fix button, the row of the fault would only repeat
+/// the sentence at the top.
+std::vector<std::size_t> shown_rows(const Why& why) {
+    const bool has_fault = !widgets::HasPlainTitles() && !widgets::IsCovered(fault_target);
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < why.rows.size(); ++i)
+        if (has_fault || why.rows[i].kind != WhyRow::Kind::fault) shown.push_back(i);
+    return shown;
+}
+
+RowPlace place_in(ImFont* font, const std::vector<WhyRow>& rows, const std::vector<std::size_t>& shown, float width) {
+    float titles = 0.0F;
+    for (const std::size_t i : shown)
+        titles = std::max(titles, font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, rows[i].title.c_str()).x);
+    return {font, std::min(titles, (widgets::HasPlainTitles() ? 0.26F : 0.3F) * width), font->FontSize,
+            width - px(6.0F)};
+}
+
+/// On stage, the rows are in the type of sentences if they fit, and spread over the height.
+RowPlace place_of(const std::vector<WhyRow>& rows, const std::vector<std::size_t>& shown, ImVec2 room) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    const RowPlace usual = place_in(fonts.text, rows, shown, room.x);
+    if (!widgets::HasPlainTitles() || shown.empty()) return usual;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const auto spare = [&](const RowPlace& place) {
+        float height = spacing + px(2.0F);
+        for (const std::size_t i : shown) height += RowTexts(rows[i], place).height + spacing;
+        return room.y - height;
+    };
+    RowPlace place = place_in(fonts.caption, rows, shown, room.x);
+    if (spare(place) < 0.0F) place = usual;
+    const float share = std::floor(spare(place) / static_cast<float>(shown.size()));
+    place.below = std::clamp(share, px(2.0F) - spacing, 1.5F * place.font->FontSize);
+    return place;
+}
 
 /// Draws those buttons that the window offers: they change what the camera's picture shows, or copy the explanation.
 void draw_buttons(WhyState& state, Session& session, const Why& why) {
@@ -63,27 +119,18 @@ void draw_buttons(WhyState& state, Session& session, const Why& why) {
 
 /// Draws one row: its title, its sentence, and the color after it. Returns whether the pointer is over it.
 bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int number) {
-    const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float text_left = place.title_width + px(10.0F),
-                text_width = std::max(place.width - text_left - place.swatch_side - px(8.0F), px(60.0F));
-    ImFont* font = context.fonts.text;
-    ImGui::PushFont(font);
-    const std::string title = widgets::BrokenAtBlanks(row.title, place.title_width),
-                      sentence = widgets::BrokenAtBlanks(row.sentence, text_width);
-    const float title_height = ImGui::CalcTextSize(title.c_str()).y,
-                height = std::max(title_height, ImGui::CalcTextSize(sentence.c_str()).y);
-    ImGui::PopFont();
+    const RowTexts texts(row, place);
     const bool has_fix = !row.fix.empty() && widgets::OffersButton("Fix");
     ImGui::PushID(number);
     const bool stops =
         row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) && widgets::Offers("control:view.pass");
-    const bool is_pressed = ImGui::InvisibleButton("row", {place.width, height});
+    const bool is_pressed = ImGui::InvisibleButton("row", {place.width, texts.height});
     const bool over = ImGui::IsItemHovered();
     widgets::Record(("why: " + row.title).c_str());
     ImDrawList* draw = ImGui::GetWindowDrawList();
     if (over)
-        draw->AddRectFilled({at.x - px(4.0F), at.y - px(2.0F)}, {at.x + place.width, at.y + height + px(2.0F)},
+        draw->AddRectFilled({at.x - px(4.0F), at.y - px(2.0F)}, {at.x + place.width, at.y + texts.height + px(2.0F)},
                             palette().field, px(3.0F));
     if (stops) {
         int& pass = session.params.view.pass;
@@ -92,8 +139,9 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
                                                              : marked("Click to stop the frame after this pass."));
     }
     const ImU32 ink = row.is_quiet ? palette().quiet : palette().text;
-    draw->AddText(font, font->FontSize, at, row.is_quiet ? palette().quiet : color_of_kind(row.kind), title.c_str());
-    draw->AddText(font, font->FontSize, {at.x + text_left, at.y}, ink, sentence.c_str());
+    const float left = at.x + place.text_left(), size = place.font->FontSize;
+    draw->AddText(place.font, size, at, row.is_quiet ? palette().quiet : color_of_kind(row.kind), texts.title.c_str());
+    draw->AddText(place.font, size, {left, at.y}, ink, texts.sentence.c_str());
     if (row.after) {
         const ImVec2 min(at.x + place.width - place.swatch_side, at.y + px(1.0F)),
             max(min.x + place.swatch_side, min.y + place.swatch_side);
@@ -101,12 +149,13 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
         draw->AddRect(min, max, palette().border, px(3.0F));
     }
     if (has_fix) {
-        ImGui::SetCursorScreenPos({at.x + text_left, ImGui::GetCursorScreenPos().y});
+        ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});
         if (widgets::SmallButton("Fix"))
             if (const Result<Params> fixed = apply_settings(session.params, std::vector<std::string>{row.fix}))
                 session.params = *fixed;
         widgets::Tooltip("Fix it", say("Sets {setting}. Ctrl+Z undoes the fix.", "setting"_a = row.fix).c_str());
     }
+    if (place.below != 0.0F) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + place.below);
     ImGui::PopID();
     return over;
 }
@@ -145,16 +194,10 @@ void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned,
     draw_head(session, why);
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::BeginChild("rows", ImGui::GetContentRegionAvail());
-    const float width = ImGui::GetContentRegionAvail().x;
-    const ImFont* font = widgets::CurrentContext().fonts.text;
-    float titles = 0.0F;
-    for (const WhyRow& row : why.rows)
-        titles = std::max(titles, font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, row.title.c_str()).x);
-    const RowPlace place{std::min(titles, 0.3F * width), font->FontSize, width - px(6.0F)};
-    for (std::size_t i = 0; i < why.rows.size(); ++i)
-        if (!(why.rows[i].kind == WhyRow::Kind::fault && widgets::IsCovered(fault_target)) &&
-            draw_row(session, why.rows[i], place, static_cast<int>(i)))
-            state.hovered_row = i;
+    const std::vector<std::size_t> shown = shown_rows(why);
+    const RowPlace place = place_of(why.rows, shown, ImGui::GetContentRegionAvail());
+    for (const std::size_t i : shown)
+        if (draw_row(session, why.rows[i], place, static_cast<int>(i))) state.hovered_row = i;
     ImGui::Dummy({0.0F, px(2.0F)});
     draw_buttons(state, session, why);
     widgets::CountScrolled();

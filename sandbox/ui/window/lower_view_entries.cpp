@@ -237,6 +237,7 @@ const LowerView why{
             draw_why_view(frame.state.why, frame.session, frame.state.pinned, frame.rect);
         },
     .least_size = {440.0F, 370.0F},
+    .lowest = 340.0F,
     .reads_pixel = true,
     .explains_pixel = true,
 };
