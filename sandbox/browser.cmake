@@ -1,5 +1,5 @@
-# The libraries of the browser's build, under the names that CMakeLists.txt links: Debian's headers for a
-# header-only library, otherwise its source package (sandbox/web fetches them).
+# The libraries of the browser's build, under the names that CMakeLists.txt links. Header-only libraries use Debian's
+# installed headers; the others are built from Debian's source packages, which sandbox/web fetches.
 set(VIEWING_WEB_SOURCES ${PROJECT_SOURCE_DIR}/build/web-sources CACHE PATH "Debian's source packages, unpacked")
 
 # source_folder(RESULT NAME): the folder of a source package, whatever its version.
@@ -16,7 +16,7 @@ endfunction()
 # Use WebAssembly exceptions in every file, C included: they must be able to pass through each call.
 add_compile_options(-fwasm-exceptions)
 
-# Never /usr/include itself: it has the headers of another C library.
+# Include only links to these libraries' headers: /usr/include itself has the headers of another C library.
 set(web_headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${web_headers})
 foreach(name glm nlohmann fmt stb)
@@ -25,7 +25,7 @@ foreach(name glm nlohmann fmt stb)
     endif()
     file(CREATE_LINK /usr/include/${name} ${web_headers}/${name} SYMBOLIC)
 endforeach()
-# Headers that add what this compiler's C++ library and GL headers lack come first; each includes the original.
+# These headers come first: they add what this compiler's C++ library and GL headers lack. Each includes the original.
 include_directories(BEFORE SYSTEM ${PROJECT_SOURCE_DIR}/sandbox/platform/browser/headers)
 include_directories(SYSTEM ${web_headers})
 
@@ -39,7 +39,7 @@ headers_alone(nlohmann_json::nlohmann_json)
 headers_alone(fmt::fmt FMT_HEADER_ONLY=1)
 headers_alone(Threads::Threads)
 headers_alone(PkgConfig::epoxy)
-# Needed only by a room's folder `desktop`.
+# Used only by code in a room's folder `desktop`, which this build leaves out.
 foreach(name PkgConfig::egl PkgConfig::cairo PkgConfig::harfbuzz_subset PkgConfig::qrencode glfw)
     headers_alone(${name})
 endforeach()
@@ -70,10 +70,10 @@ source_folder(lua lua5.4)
 from_source(PkgConfig::lua ${lua}/src lapi.c lauxlib.c lbaselib.c lcode.c lcorolib.c lctype.c ldblib.c ldebug.c ldo.c ldump.c
             lfunc.c lgc.c linit.c liolib.c llex.c lmathlib.c lmem.c loadlib.c lobject.c lopcodes.c loslib.c lparser.c lstate.c
             lstring.c lstrlib.c ltable.c ltablib.c ltm.c lundump.c lutf8lib.c lvm.c lzio.c)
-# Debian's patch needs the module path of this architecture; there are no modules.
+# Lua's headers, as patched by Debian, include this file for the architecture's module path. The page has no modules.
 file(CONFIGURE OUTPUT ${web_headers}/lua5.4-deb-multiarch.h CONTENT "#define DEB_HOST_MULTIARCH \"\"\n")
 get_target_property(lua_sources web_PkgConfig__lua SOURCES)
-set_source_files_properties(${lua_sources} PROPERTIES LANGUAGE CXX)  # its errors unwind, as in Debian's lua5.4-c++
+set_source_files_properties(${lua_sources} PROPERTIES LANGUAGE CXX)  # so that Lua's errors unwind, as in lua5.4-c++
 
 source_folder(zlib zlib)
 from_source(ZLIB::ZLIB ${zlib} adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c)
@@ -132,8 +132,7 @@ function(add_page)
     target_link_libraries(web PRIVATE app)
     set_target_properties(web PROPERTIES OUTPUT_NAME viewing-sandbox RUNTIME_OUTPUT_DIRECTORY ${folder}
                           LINK_DEPENDS "${assets_files}"
-                          # Node finds emscripten's packages where Debian has them, whether or not it is Debian's own
-                          # Node.
+                          # Lets any Node, not only Debian's, find emscripten's packages where Debian installs them.
                           RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
     set(assets)
     foreach(name scenes presets lessons lectures exercises text lecture.json)

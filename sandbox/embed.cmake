@@ -1,6 +1,6 @@
 # Embeds files in the program, so that it needs neither the source tree nor installed fonts at run time. The assembler's
-# .incbin copies them unchanged: no generated source of millions of numbers, and a changed file costs one assembler run.
-# Without an assembler for ELF or WebAssembly they become C++ arrays.
+# .incbin copies the files unchanged, so the build generates no source of millions of numbers, and a changed file costs
+# one assembler run. Without an assembler for ELF or WebAssembly, the files become C++ arrays.
 set(default_embed array)
 if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF" OR EMSCRIPTEN)
     set(default_embed incbin)

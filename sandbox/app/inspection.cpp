@@ -13,7 +13,7 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
         wishes.pixel = shown.pinned.pixel;
         const bool is_pinned = params.view.pixel || params.view.pin;  // even if the pinned point is not visible
         if (const auto pointed = views.told_pixel; pointed && !is_pinned)
-            wishes.pixel = glm::min(*pointed, shown.camera_px - 1);  // the view may have become smaller since then
+            wishes.pixel = glm::min(*pointed, shown.camera_px - 1);  // the view may have become smaller
         // If the block view was requested without a pixel, start at the center.
         if (!wishes.pixel && !is_pinned && tells_cells && params.view.cells) wishes.pixel = shown.camera_px / 2;
         if (wishes.pixel && !glm::all(glm::lessThan(*wishes.pixel, shown.camera_px))) wishes.pixel.reset();

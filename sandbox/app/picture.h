@@ -42,7 +42,7 @@ struct PictureRequest {
     std::optional<int> samples = {};                   ///< 0 or 4; empty: the state's; always 0 for depth and stencil
     std::shared_ptr<const LessonPicture> lesson = {};  ///< for the whole window; the state is then the step's
     bool presents = false;     ///< for the whole window: shows it as an audience would see it, even without a lesson
-    bool labels = false;       ///< for the camera's picture: adds the window's overlay, and the picture beside it
+    bool labels = false;       ///< for the camera's picture: adds the window's overlay and the second picture
     bool transparent = false;  ///< makes the bare background transparent
     double dpi = usual_dpi;    ///< text has the same height in points at any dpi
 };

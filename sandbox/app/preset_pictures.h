@@ -26,7 +26,7 @@ public:
     /// Returns a preset's picture, which has no texture while it is being made or if making it fails. Returns no
     /// picture for "".
     PresetPicture of(const std::string& name);
-    /// Does the same for any state, and keeps its picture under `name`.
+    /// Returns the picture of any state, which `load` loads. Keeps the picture under `name`.
     PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
 
     /// Whether a picture is being made, in which case more frames are needed.

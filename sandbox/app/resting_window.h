@@ -50,8 +50,8 @@ private:
     Studio::Surroundings surroundings_;  ///< size and scale; no input
 };
 
-/// Calls `draw` with the state, changed as the request requires. Calls it once or, for a transparent picture, once with
-/// a black and once with a white background, so that the background can be removed.
+/// Calls `draw` with the state, changed as the request requires. For a transparent picture, calls `draw` twice, with a
+/// black and with a white background, and removes the background.
 template <typename Draw>
 auto drawn_without_ground(const LoadedState& state, const PictureRequest& request, const Draw& draw)
     -> decltype(draw(state, std::optional<Color>())) {

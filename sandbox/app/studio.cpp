@@ -1,9 +1,10 @@
-// A frame of the window. The interface draws its windows twice: first to take the input and edit the session, which
-// nobody sees, then to show what came of it. In between, the frame is derived, planned and drawn once, so pictures,
-// overlays, panels and matrices all belong to the state that this frame's input made. The second drawing is an ImGui
-// frame of its own in which no time passes, no pointer moves, and no button or key changes, so widgets only show. This
-// costs less than a millisecond, and no row of the interface, most of which both edit and show, has to be cut in two.
-// Only what background work brings while the second drawing is made waits for the next frame.
+// A frame of the window. Except in the very first frame, the interface draws its windows twice. The first drawing takes
+// the input and edits the session, and is never shown. The second drawing shows the result. In between, the frame is
+// derived, planned and drawn once, so pictures, overlays, panels and matrices all belong to the state that this frame's
+// input made. The second drawing is an ImGui frame of its own in which no time passes, no pointer moves, and no button
+// or key changes, so widgets only show. It costs less than a millisecond and saves splitting the interface's rows, most
+// of which both edit and show. A result of background work that arrives during the second drawing waits for the next
+// frame.
 #include "app/studio.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -146,7 +147,7 @@ void Studio::derive_before(const Viewport& viewport) {
     const Params before = animated(session.before_latest_edit(), moment_);
     const bool is_same_room = session.scene_version() == drawn_.scene_version && viewport == before_of_.viewport;
     if (is_same_room && before == before_of_.params) return;
-    // When an edit begins, the state before it is the one that is drawn.
+    // When an edit begins, the state before the edit is the one that was last drawn.
     const bool is_drawn = is_same_room && before == drawn_.animated;
     shown_.before = is_drawn ? shown_.derived : derive(before, session.scene(), viewport);
     before_of_ = {before, viewport};

@@ -37,9 +37,9 @@ public:
         FrameInput input;
     };
 
-    /// Makes one frame, with the edits that its input makes. ImGui's IO must already have the mouse and text input. A
-    /// view that cannot be drawn keeps its last picture, and the message says why, so that a lecture can go on. On
-    /// screen, also paints it.
+    /// Makes one frame, with the edits that its input makes; on screen (`shows_time`), also paints the frame.
+    /// ImGui's IO must already have the mouse and text input. A view that cannot be drawn keeps its last picture, and
+    /// the message says why, so that a lecture can go on.
     Requests frame(const Surroundings& surroundings);
 
     /// Draws the latest frame into the studio's own framebuffer, unless it is there already. present() and read() paint

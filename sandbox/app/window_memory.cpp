@@ -107,7 +107,7 @@ void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
 Status WindowMemory::finish() {
     writing_.wait(-1.0);
     Status last = take_written();
-    if (is_written_ && remembered_ == known_) return last;  // otherwise it has changed since, or could not be written
+    if (is_written_ && remembered_ == known_) return last;  // otherwise, values have changed or writing has failed
     const Result<Remembered> written = merge_remembered(file_, known_, remembered_);
     is_written_ = false;  // if the window stays open, follow() adopts what other windows have added
     if (!written) return Error{written.error()};

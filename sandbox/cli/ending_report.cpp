@@ -50,7 +50,7 @@ void EndingReport::tell(const char* name, Json value) {
 
 void EndingReport::finish(Outputs& results, ExitStatus status, const std::string& sentence) {
     if (target_) results.add(*target_, text(status, sentence, seconds_so_far()));
-    // If the write blocks, part of the report may already have been written, so do not write a second one.
+    // A write to a pipe may block after part of the report. A timeout must not write a second report then.
     if (target_ && !is_plain_file(*target_)) forget_last_words();
     results.write();
     is_written_ = true;

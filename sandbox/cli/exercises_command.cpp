@@ -99,7 +99,7 @@ void print_sheet(const Options& options, const TypedExercises& typed, const std:
     print(is_json ? print_document(json) + "\n" : text);
 }
 
-// ---- their own tests -----------------------------------------------------------------------------------------------
+// ---- the exercises' own tests --------------------------------------------------------------------------------------
 
 Image camera_picture(Headless& headless, const LoadedState& state) {
     PictureRequest request;
@@ -144,7 +144,7 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
             VariantCheck check = check_variant(exercise, variant, headless.renderer());
             if (exercise.visible_px > 0 && check.findings.empty())
                 check.findings = check_visible(exercise, *check.step, headless);
-            if (is_english && check.findings.empty())  // an answer is looked for among English texts
+            if (is_english && check.findings.empty())  // check_screen() searches English texts
                 check.findings = check_screen(exercise.id, *check.step, headless.renderer());
             headless.require_no_errors();
             for (const std::string& finding : check.findings) found += finding + "\n";

@@ -1,4 +1,4 @@
-// grade: judges hand-ins again and writes a table, a page, or JSON. Read report/grading.h next.
+// grade: regrades hand-ins, and writes a table, a page, or JSON. Read report/grading.h next.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -178,7 +178,7 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
     results.write();
     const std::string skipped = found.skipped.empty() ? "" : files;
     end_by(grades, skipped);
-    if (format == Format::csv && !skipped.empty())  // the other formats include it
+    if (format == Format::csv && !skipped.empty())  // the other formats report the skipped files
         std::fprintf(stderr, "grade: %s\n", skipped.c_str());
     return ExitStatus::done;
 }

@@ -41,7 +41,8 @@ public:
         return value_or_end(std::move(result), status_of_its_error);
     }
 
-    /// Keeps a command's last object of this class until the process exits, if leave() skips destructors.
+    /// Keeps a command's last Headless until the process exits, so that leave() skips its destructor. If leave() runs
+    /// destructors, destroys the object now.
     static void keep_to_the_end(std::unique_ptr<Headless> last);
 
 private:

@@ -40,7 +40,7 @@ std::string list_of_lessons() {
     return lines;
 }
 
-/// Tests that both pictures of a step can be drawn.
+/// Tests that both pictures of a step can be drawn, before and after the answer.
 LessonFindings draw_step(const Lesson& lesson, const LessonStep& step, Headless& headless) {
     LessonFindings findings;
     for (const Params* const params : {&step.start.params, &step.revealed}) {

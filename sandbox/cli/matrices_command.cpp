@@ -1,4 +1,4 @@
-// matrices: prints every matrix of the lecture with its numbers. Needs no GL.
+// matrices: prints the lecture's matrices as numbers or symbols, or explains a pasted matrix. Needs no GL.
 #include <array>
 #include <iostream>
 #include <utility>

@@ -60,8 +60,8 @@ void Outputs::add(WholeFolder folder) {
 }
 
 void Outputs::write() {
-    // Files get their names only when complete, so stop the clock before writing them; keep it running for a pipe,
-    // which may block.
+    // Files get their names only when complete, so lift --timeout before writing them. Keep the limit if an output is a
+    // pipe, which may block.
     if (std::all_of(outputs_.begin(), outputs_.end(),
                     [](const Output& output) { return is_plain_file(output.target); }))
         TimeLimit::lift();

@@ -1,4 +1,4 @@
-// params: prints every field of the state, from the one list of fields.
+// params: prints every field of the state from the list in state/fields.cpp, or the JSON Schema of a file format.
 #include <array>
 
 #include "cli/commands.h"

@@ -35,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array ease_names{"linear", "smooth"};
-constexpr std::size_t fewest_digits = 4;  // in the number of a picture
+constexpr std::size_t fewest_digits = 4;  // of a picture's number in its file name
 constexpr std::array film_endings{".mp4", ".gif", ".webp"};
 
 /// The options as typed.
@@ -283,8 +283,7 @@ std::string row(const TypedSweep& typed, const std::vector<std::string>& setting
     return line + "\n";
 }
 
-/// Returns three captions from long to short: "light.position[0] = −2.9", the same with only the last name of the path,
-/// and the value alone.
+/// Returns three captions from long to short, such as "light.position[0] = −2.9", "position[0] = −2.9" and "−2.9".
 std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
     std::vector<std::string> captions(3);
     for (const std::string& setting : settings) {

@@ -21,7 +21,8 @@ public:
 
     static bool has_run_out();
 
-    /// Return, for the latest limit, the message that says it has expired, and its length in seconds; "" and 0 if none.
+    /// Return the message that the latest limit has expired, and that limit's length in seconds; "" and 0 if there was
+    /// no limit.
     static std::string sentence();
     static double seconds();
 };

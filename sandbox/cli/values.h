@@ -19,7 +19,7 @@ inline constexpr glm::ivec2 default_size_px{1280, 720};
 glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text,
                        int most_pixels = most_drawn_pixels);
 
-/// Parses "X,Y", which must be inside a picture of that size.
+/// Parses "X,Y", which must be inside a picture of size `size_px`.
 glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px);
 
 /// Parse a whole number, or any finite number, from `min` to `max` inclusive.

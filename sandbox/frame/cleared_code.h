@@ -16,7 +16,7 @@ bool lets_nearer_win(const Params& params);
 /// Returns whether the last fragment drawn wins, for objects or for what is drawn after them.
 bool last_fragment_wins(const Params& params);
 
-/// Returns whether the depths left by an identical previous frame hide this frame: hides_next_frame().
+/// Returns whether the depths left by an identical previous frame hide this frame (see hides_next_frame()).
 bool previous_frame_hides(const Params& params);
 
 /// Returns whether GL_LESS, in a buffer cleared to the farthest depth, rejects everything in view, because depth has

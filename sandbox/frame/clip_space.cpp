@@ -153,8 +153,9 @@ ObserverView derive_way_view(const Params& params, const Derived& derived, const
     constexpr double front_fovy_deg = 2.0, margin = 1.25;
     const double aspect = viewport.aspect() * free.aspect();
     const double from_fovy_deg = outside_fovy(aspect), fovy_deg = mixed(from_fovy_deg, front_fovy_deg, share);
-    // Half the height that the picture shows at the cube's middle; in the view from the front, just enough for the
-    // whole window. The camera is nearer than in the view Clip space, since the numbers leave the cube less room.
+    // `half` is half the height that the picture shows at the cube's middle; for the view from the front, it becomes
+    // `front_half`, just enough for the whole window. The camera is nearer than in the view "Clip space", since the
+    // numbers leave the cube less room.
     constexpr std::array nearer{0.75, 0.6, 0.68, 0.78, 0.78};
     const auto space = static_cast<std::size_t>(std::clamp(params.view.way, 0.0, way_steps - 1e-9));
     const double near_share = mixed(nearer[space], nearer[space + 1], params.view.way - static_cast<double>(space));

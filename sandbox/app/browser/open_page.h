@@ -55,7 +55,7 @@ std::string text_trouble(std::size_t bytes);
 bool takes(const char* text);
 
 /// Refuses a state's request to read a file that the page does not have. A page has only the files that it was given,
-/// so permission would not help.
+/// so asking the user for permission would not help.
 void refuse_what_is_not_there();
 
 }  // namespace viewing

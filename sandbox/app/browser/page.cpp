@@ -355,7 +355,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_opened() {
     return given(opened_fragment());
 }
 
-/// Returns a link to the current state in the same form.
+/// Returns a link to the current state, as the fragment of an address.
 EMSCRIPTEN_KEEPALIVE const char* page_link() {
     const Session& session = page->studio.session;
     return given(link_fragment(session.portable(session.params)));
@@ -366,7 +366,7 @@ EMSCRIPTEN_KEEPALIVE int page_departs() {
     return departs_from_opened() ? 1 : 0;
 }
 
-/// Return the text to read aloud, in the current language, and the text of the matrices.
+/// page_told() returns the text to read aloud, in the current language; page_matrices_text() returns the matrices.
 EMSCRIPTEN_KEEPALIVE const char* page_told() {
     return given(told_text());
 }

@@ -26,8 +26,7 @@
 namespace viewing {
 namespace {
 
-/// Loads the state that a message contains as JSON, as a link, or as a preset's name; never reads a file with that
-/// name.
+/// Loads the state that a message contains as JSON, as a link, or as a preset's name. A file's name is an error.
 Result<LoadedState> state_to_open(const std::string& text) {
     if (is_link(text)) return state_in_text(text, "open");
     if (text.starts_with('{')) {
@@ -138,7 +137,7 @@ bool takes(const char* text) {
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
     if (!asked || is_there(asked->file)) return;
-    page->studio.session.take_outcome();  // loading ended with this request to read a file, so discard its outcome
+    page->studio.session.take_outcome();  // asking to read a file ended the loading; that outcome is not the final one
     page->studio.session.answer(false);
     page->studio.session.message.is_error = true;  // errors stay on screen
 }
@@ -204,7 +203,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
     session.update_scene();
     refuse_what_is_not_there();
     if (session.asks_to_read()) {
-        session.take_outcome();  // loading ended with this request to read a file, so discard its outcome
+        session.take_outcome();  // asking to read a file ended the loading; that outcome is not the final one
         return given("");
     }
     if (session.loading_fraction()) return given("");

@@ -160,7 +160,7 @@ Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
     glfwSetCharCallback(window, [](GLFWwindow* one, unsigned code_point) {
         Events& events = of(one);
         events.queue_now(CharacterTyped{code_point});
-        // A key that commits a syllable begins the next one.
+        // The key that commits a syllable also begins the next syllable.
         events.composes_ = code_point > 0x7F && events.held_.empty();
         if (events.held_.empty()) return;
         constexpr double more_s = 0.25;  // more of the word may arrive

@@ -1,5 +1,6 @@
-// Switches the window between its normal position and full screen. If there is only one screen and the notes are on it,
-// too, the stage (the window) fills the rest of it, so that neither covers the other.
+// Switches the window between its normal position and full screen. If the notes window is visible and there is only one
+// screen, full screen gives the notes the right side and the window (the stage) the rest, so that neither covers the
+// other.
 #pragma once
 
 #include <optional>
@@ -19,8 +20,8 @@ public:
     /// notes window while it is visible, else null.
     void apply(GLFWwindow* window, GLFWwindow* notes);
 
-    /// Returns the window's position and size when it is not full screen. `before` holds its position and size before
-    /// it was maximized.
+    /// Returns the position and size that the window has outside full screen, to be remembered. For a maximized window,
+    /// returns those in `before`: the ones it had before it was maximized.
     WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const;
 
 private:

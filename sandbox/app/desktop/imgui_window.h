@@ -14,7 +14,7 @@ namespace viewing {
 /// Maps the keys that ImGui itself reads to GLFW's key codes, which are the indices into io.KeysDown.
 void map_imgui_keys();
 
-/// Serves the current ImGui context during its lifetime.
+/// Connects a window to the ImGui context that is current during this object's lifetime.
 class ImGuiWindow {
 public:
     explicit ImGuiWindow(GLFWwindow* window);
@@ -28,7 +28,7 @@ public:
 private:
     GLFWwindow* window_;
     ImGuiMouseCursor shown_ = ImGuiMouseCursor_Arrow;
-    std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> shapes_{};  ///< null: the system's own
+    std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> shapes_{};  ///< null: not created yet, or the system's arrow
 };
 
 }  // namespace viewing

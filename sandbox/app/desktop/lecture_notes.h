@@ -24,13 +24,13 @@ public:
     /// Returns the notes window; null if there is none, or if the user has closed it.
     GLFWwindow* shown_window() const { return window_ && window_->is_shown() ? window_->glfw() : nullptr; }
 
-    /// Updates the page if it has changed. An error is one sentence about the file.
+    /// Updates the notes if their content has changed. An error is one sentence about the notes' file.
     Status follow(const Guide& guide, const Session& session, double presented_s);
     /// Call once a frame.
     void draw(Theme theme, double device_scale);
 
 private:
-    /// The data that the page depends on. Time is in minutes, since the page shows no seconds.
+    /// The data that the notes depend on. Time is in minutes, since the notes show no seconds.
     struct Shown {
         std::shared_ptr<const Lesson> lesson;
         std::size_t step = 0;

@@ -10,7 +10,7 @@
 #include "gl/dialect.h"
 #include "ui/window/theme.h"
 
-#define GLFW_INCLUDE_NONE  // GL comes from the loader above
+#define GLFW_INCLUDE_NONE  // the headers above already include the GL loader
 #include <GLFW/glfw3.h>
 
 namespace viewing {

@@ -35,7 +35,8 @@ public:
 
     /// Sets the notes to show from the next draw() on.
     void set(Notes notes);
-    /// Draws and shows the window if its notes, size or theme have changed, or if it was covered.
+    /// Redraws the notes if they, the window's size or the theme have changed, and copies them to the screen. Call once
+    /// a frame.
     void draw(Theme theme, double device_scale);
 
 private:

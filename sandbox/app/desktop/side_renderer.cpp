@@ -33,7 +33,7 @@ SideRenderer::SideRenderer() = default;
 
 SideRenderer::~SideRenderer() {
     if (!parts_) return;
-    // Destroy the context in another thread, where it can be current: this thread may have the window's.
+    // Destroy the context in another thread, where it can be current: here, the window's context may be current.
     const BackgroundCall end([this] {
         if (parts_->context.is_made_current()) parts_.reset();
     });

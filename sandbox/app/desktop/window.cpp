@@ -22,7 +22,7 @@
 #include "platform/file.h"
 #include "text/catalogue.h"
 
-#define GLFW_INCLUDE_NONE  // GL comes from the loader above
+#define GLFW_INCLUDE_NONE  // the headers above already include the GL loader
 #include <GLFW/glfw3.h>
 
 namespace viewing {

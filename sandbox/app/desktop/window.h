@@ -20,7 +20,7 @@ struct WindowStart {
     bool shows_lessons = false;              ///< shows the page of all lessons
     std::optional<HandIn> hand_in;           ///< a student's hand-in to show
     std::string exercise;                    ///< the exercise to show from the hand-in
-    bool replays = false;                    ///< replays how the student solved it
+    bool replays = false;                    ///< replays how the student solved the exercise
     std::string notes;                       ///< destination of the lecturer's notes, as in LectureNotes
     std::string link_address = link_base();  ///< the part of a link before its #
 };

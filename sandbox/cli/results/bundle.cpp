@@ -97,7 +97,8 @@ private:
         if (error) refuse(from.string() + ": cannot be copied: " + error.message());
     }
 
-    /// Returns those file names after "mtllib" that can stay unchanged; the program itself does not read these files.
+    /// Returns the file names after "mtllib", except unsafe ones: the mesh is copied unchanged, so its libraries cannot
+    /// be renamed. The program itself does not read these files.
     static std::vector<std::string> material_libraries(const fs::path& mesh) {
         std::vector<std::string> names;
         std::ifstream lines(mesh, std::ios::binary);

@@ -13,10 +13,11 @@ namespace viewing {
 bool is_wrong(const ExplainedMatrix& found);
 
 /// Returns the explanation as lines: how the text was read, what the matrix is, what is wrong, by how much, and the
-/// fix. `own` explains the state's matrix of that letter (found.right).
+/// fix. `own` explains found.right, the state's matrix with the letter found.letter.
 std::string explained_text(const PastedMatrix& pasted, const ExplainedMatrix& found, const ExplainedMatrix& own);
 
-/// Returns the same as JSON: "matrix", "fault", "read_as", "say" (sentences), "off", "right" (rows) and what was found.
+/// Returns the explanation as JSON: "matrix", "fault", "read_as", "say" (sentences), "off", "right" (rows), and the
+/// camera, projection, plane or light found in the matrix.
 Json explained_json(const PastedMatrix& pasted, const ExplainedMatrix& found);
 
 }  // namespace viewing

@@ -66,7 +66,7 @@ std::string paragraph(const char* name, const std::string& text) {
     return text.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + prose(text) + "</p>\n";
 }
 
-/// Returns the choices, or a line to write on.
+/// Returns a list of the choices or items or, if the question has neither, a line to write the answer on.
 std::string answers(const Ask& ask) {
     std::string list;
     for (const LessonChoice& choice : ask.choices) list += "<li>" + prose(choice.say.shown()) + "</li>\n";

@@ -12,7 +12,7 @@ namespace viewing {
 /// fails.
 std::string handout(Headless& headless, const Lesson& lesson, bool with_answers);
 
-/// Draws the page on the device and writes it to a file, or to standard output for "-".
+/// Draws the pictures on `device`, and writes the page to the file `output`, or to standard output for "-".
 void write_handout(const Lesson& lesson, const std::string& output, bool with_answers, const std::string& device,
                    Language language);
 

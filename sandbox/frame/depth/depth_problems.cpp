@@ -120,7 +120,7 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
                                     "value"_a = value));
     if (!wants_nearer(depth)) return;
     const bool is_fixed =
-        depth.func != CompareFunc::less || !has_only_cleared_code(params, derived, scene);  // which it rejects, too
+        depth.func != CompareFunc::less || !has_only_cleared_code(params, derived, scene);  // which GL_LESS rejects
     if (clears_to_nearest(depth)) {
         if (is_reversed && !depth.reversed_clear)
             return tell.broken(true,
@@ -174,8 +174,8 @@ void say_clears(Sayer& tell, const Params& params, const Derived& derived, const
     if (!compares || rejects_all(depth) || !writes || is_covered_by_mirror(params, derived, scene) ||
         (depth.func == CompareFunc::less && has_only_cleared_code(params, derived, scene)))
         return;
-    // GL_LEQUAL passes the same surfaces again: only what moves is hidden, and images, which mirrors hide unless they
-    // are drawn last.
+    // GL_LEQUAL passes unmoved surfaces again, so old depths hide only moving surfaces, and mirror images: a mirror's
+    // depth hides its image unless mirrors are drawn last.
     const bool shows = refuses_ties || (params.reflection.enabled && !params.reflection.after_objects);
     const Sentence not_cleared =
         sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double parallel_sine = 0.01745;  ///< of one degree
 constexpr double largest_gap_share = 0.1;  ///< of the smaller object's size
-constexpr double coplanar_share = 1e-9;    ///< of the same size; a smaller gap counts as zero
+constexpr double coplanar_share = 1e-9;    ///< of the smaller object's size; a smaller gap counts as zero
 constexpr std::size_t most_triangles = 2;
 
 /// An object that may belong to a pair.

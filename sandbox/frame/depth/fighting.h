@@ -30,7 +30,7 @@ struct FlatPair {
     double gap() const { return std::abs(offset); }  ///< world units
 };
 
-/// Returns every such pair, in the order of the objects. Keeps the pairs of the latest scene for the next call.
+/// Returns every FlatPair of a scene, in the order of the objects. Keeps the latest scene's pairs for the next call.
 std::vector<FlatPair> near_coplanar_pairs(const Scene& scene);
 
 /// The settings that determine how depth is computed and stored.

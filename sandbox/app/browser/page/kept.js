@@ -1,6 +1,7 @@
 // Keeps the program's settings and answer files in localStorage between visits. While storage is refused or full, a bar
-// says so, and the answers can be saved as a file. Other tabs write the same files: the program merges the text of
-// another tab with its own, even if this tab has overwritten that text. Loaded after net.js.
+// says so, and the answers can be saved as a file. Several tabs write the same files. The program merges the text that
+// another tab wrote with its own data, even if this tab has already overwritten that text in localStorage. Loaded after
+// net.js.
 'use strict';
 
 const kept = (() => {
@@ -125,7 +126,7 @@ const kept = (() => {
     show();
   };
 
-  /// Only one tab at a time reads and writes: each waits this long for a lock, and then continues without one.
+  /// Tabs take turns with a lock. A tab that has waited this long for the lock reads and writes without it.
   const lock_wait_ms = 1000;
   const flushUnderLock = () => {
     if (!navigator.locks) return flush();
@@ -145,7 +146,7 @@ const kept = (() => {
     if (!path.startsWith(net.settings)) return false;
     if (net.hasEnded()) return true;
     store(path, new TextDecoder().decode(bytes));
-    // If the program cannot read a file, it renames it, but only in its own folder: keep that copy, too.
+    // The program renames a file that it cannot read, but only in its own file system: store the renamed file, too.
     const [, folder, name] = /^(.*\/)([^/]*)$/.exec(path);
     for (const other of FS.readdir(folder))
       if (other.startsWith(name + '.unreadable') && !seen.has(folder + other)) store(folder + other, FS.readFile(folder + other, {encoding: 'utf8'}));

@@ -101,7 +101,7 @@ const messages = (() => {
 
   let is_arranging = false;
 
-  /// Reports errors in the address in the sandbox and to the host page; the defaults apply instead.
+  /// Reports errors in the address, both in the sandbox and to the host page. Defaults replace the values in error.
   const tell = (troubles) => {
     if (!troubles.length) return;
     const sentence = 'In the address: ' + troubles.join('; ');

@@ -101,7 +101,7 @@ const net = (() => {
     return made;
   };
 
-  /// Covers everything. If `is_over`, the last picture stays visible behind the notice.
+  /// Shows a notice over the whole page. If `is_over`, the last picture stays visible behind the notice.
   const notice = (text, is_over) => {
     $('notice').hidden = false;
     $('notice').classList.toggle('over', is_over);

@@ -8,8 +8,8 @@ const page = (() => {
   const canvas = $('view'), typed = $('typed');
   const is_framed = window.parent !== window;
 
-  // ---- Calls with texts. They go on the program's heap, since its stack is small; texts from outside are measured
-  // first
+  // ---- Calls that pass texts. The texts go on the program's heap, since its stack is small. The size of a text from
+  // outside is checked first
 
   const put_down = (text) => {
     const size = lengthBytesUTF8(text) + 1, place = Module._malloc(size);
@@ -99,9 +99,9 @@ const page = (() => {
     const may_focus = !is_framed || document.hasFocus();  // a frame never takes the keyboard from the host page
     if (may_focus && wants_text !== (document.activeElement === typed)) (wants_text ? typed : canvas).focus({preventScroll: true});
     const now = ask('page_opened');
-    if (now !== said && !is_embedded) {  // if equal, the new state is still loading, and the address already names it
+    if (now !== said && !is_embedded) {  // unchanged while the state that the address names is still loading
       said = now;
-      const is_state = now === '' && opened.startsWith('#1');  // only its own link can name it
+      const is_state = now === '' && opened.startsWith('#1');  // nothing but the opened link names this state
       if (now !== opened && !is_state) enter(now);
     }
     const now_ms = performance.now();
@@ -146,7 +146,7 @@ const page = (() => {
     if (address !== location.hash) write('replaceState', address);
   };
 
-  // ---- Pointer: mouse, pen and one finger act as the mouse; two fingers orbit by their center and zoom by their
+  // ---- Pointer: mouse, pen and one finger act as the mouse; two fingers pan by their center and zoom by their
   // distance
 
   const fingers = new Map();
@@ -437,9 +437,8 @@ const page = (() => {
     done?.catch(() => {});
   };
 
-  /// Dear ImGui queries these values before each frame, and each query waits for the driver. Fixed answers suffice: no
-  /// drawing code here leaves other values behind, and all of it sets the state that it needs, regardless of what ImGui
-  /// restores.
+  /// Dear ImGui queries these values before each frame, and each query waits for the driver. Fixed answers suffice: our
+  /// drawing code leaves no other values behind, and sets all the state that it needs, whatever values ImGui restores.
   const prepareGl = (gl) => {
     const settled = new Map([
       [gl.BLEND_SRC_RGB, gl.ONE], [gl.BLEND_DST_RGB, gl.ZERO], [gl.BLEND_SRC_ALPHA, gl.ONE], [gl.BLEND_DST_ALPHA, gl.ZERO],
