@@ -26,7 +26,7 @@ inline bool is_cleared_to_farthest(const DepthParams& depth) {
     return clears_depth(depth) && clears_to_farthest(depth);
 }
 
-/// Returns whether depth is computed only at the vertices and interpolated in between. Interpolated depth then does not
+/// Returns whether logarithmic depth is computed only at the vertices. Between them, depth is interpolated and does not
 /// match the distance.
 inline bool has_bent_depth(const DepthParams& depth) {
     return depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;

@@ -24,7 +24,7 @@ StoredDepth stored_depth_of(const DepthParams& depth, const Viewport& viewport) 
     return stored;
 }
 
-/// Returns P for a clip range of −1 … 1, from one for 0 … 1: z′ = 2 z − w.
+/// Converts a P for the clip range 0 … 1 to the range −1 … 1: z′ = 2 z − w.
 glm::dmat4 with_range_around_zero(glm::dmat4 p) {
     for (int column = 0; column < 4; ++column) p[column][2] = 2.0 * p[column][2] - p[column][3];
     return p;

@@ -23,7 +23,7 @@ struct Viewport {
     bool operator==(const Viewport&) const = default;
 };
 
-/// The followed vertex and its images under S and R.
+/// The followed point, which may be a vertex, and its images under S and R.
 struct FollowedPoint {
     glm::dvec3 point_world{0.0};
     glm::dvec4 shadow_homogeneous{0.0};      ///< S p, before the division by w
@@ -153,7 +153,7 @@ glm::dmat4 effective_camera(const Derived& derived);
 /// exist.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
-/// Does the same for the placed camera, to show the camera even while a mistake breaks V.
+/// Returns the frustum corners of the placed camera, to show the camera even while a mistake breaks V.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived);
 
 }  // namespace viewing

@@ -11,8 +11,8 @@
 namespace viewing {
 namespace {
 
-/// Returns a matrix that centers `points` in a picture and enlarges it uniformly, at most four times, until they nearly
-/// fill it; the identity if a point is behind the eye.
+/// Returns a clip-space matrix that centers `points` in the picture and enlarges them uniformly, at most four times,
+/// until they nearly fill the picture; the identity if a point is behind the eye.
 glm::dmat4 centered_on(std::span<const glm::dvec3> points, const glm::dmat4& clip_from_world) {
     glm::dvec2 low(1e9), high(-1e9);
     for (const glm::dvec3& point : points) {

@@ -47,8 +47,8 @@ public:
     void enable(const char* capability, bool on, bool was_on) {
         if (on != was_on) add((on ? "glEnable(" : "glDisable(") + std::string(capability) + ")");
     }
-    /// `is_known`: GL already has the value in `before`. It does not if the test was disabled, because the parameters
-    /// of a disabled test are not sent to GL.
+    /// `is_known`: GL already has the value in `before`; false if the test was disabled, because the parameters of a
+    /// disabled test are not sent to GL.
     void change(const std::string& call, const std::string& before, bool is_known = true) {
         if (call != before || !is_known) add(call);
     }

@@ -14,7 +14,7 @@ using MatrixSymbols = std::array<const char*, 16>;
 
 /// Returns S for the unit plane (n, d) and the light l.
 MatrixSymbols shadow_symbols(bool by_rows = false);
-/// Returns R for the unit plane (a, b, c, d), with those of the slides' mistakes that are switched on.
+/// Returns R for the unit plane (a, b, c, d), with the slides' mistakes that are switched on.
 MatrixSymbols mirror_symbols(bool printed_by_rows, bool plus_2ab);
 /// Return V and C. `swapped_order`: C = R T instead of T R.
 MatrixSymbols view_symbols(bool swapped_order);

@@ -19,7 +19,7 @@ enum class MatrixFormat { text, latex, glm, glsl, numpy, matlab };
 /// 0; NaN and infinity are written in the format's own notation (nan and inf in plain text).
 std::string matrix_text(std::string_view name, const glm::dmat4& matrix, MatrixFormat format, int digits = 0);
 
-/// Returns the same with the symbolic form of the entries, in the format's own notation.
+/// Returns the text of a matrix with symbolic entries, in the format's own notation.
 std::string matrix_text(std::string_view name, const MatrixSymbols& symbols, MatrixFormat format);
 
 /// Returns a number with its name as text, followed by the remark in every format except LaTeX.

@@ -54,8 +54,8 @@ bool reaches_each(const SceneObject& object, std::span<const glm::dvec4> forms) 
 }
 
 /// Returns whether is_so(points) holds for any vertex at which all forms are positive, or for the corners of that part
-/// of any triangle where all forms are positive. Points are in the model's space. Judges at most 32 forms. A large mesh
-/// counts as having such a part unless one of the forms is positive at none of its vertices.
+/// of any triangle where all forms are positive. Points are in the model's space. Handles at most 32 forms. For a mesh
+/// of more than 20,000 triangles, returns true unless one of the forms is positive at none of its vertices.
 template <typename Predicate>
 bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Predicate is_so) {
     constexpr std::size_t most_triangles = 20'000;
@@ -129,8 +129,8 @@ bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-/// Returns whether a point of the plane is in the patch and, for an image, is not cut off by near. Where far cuts it
-/// off, it cuts off its image, too, which is farther.
+/// Returns whether a point of the plane is in the patch and, for an image, is not cut off by near. Far needs no test:
+/// if it cuts off the point, it also cuts off the image, which is farther.
 bool holds(const Landing& landing, const glm::dvec4& sent) {
     if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
     if (!landing.is_image) return true;
@@ -138,9 +138,9 @@ bool holds(const Landing& landing, const glm::dvec4& sent) {
     return !(clip.w > 0.0) || clip.z >= -clip.w;
 }
 
-/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands beside the
-/// patch, where near cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
-/// picture.
+/// Returns whether any vertex of an object lands inside the patch or, if `inside` is false, whether any lands outside:
+/// beside the patch, on a part of it that near cuts off, or nowhere (w ≤ 0). With `in_picture`, the vertex must also
+/// land in the picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {
         if (glm::dot(landing.side, point) < -standing) return false;
@@ -184,7 +184,7 @@ double area_in_picture(const glm::dmat4& clip_from_world, const std::vector<glm:
     return 0.5 * std::abs(twice);
 }
 
-/// Returns whether an object is between near and a point of the picture.
+/// Returns whether an object is on the view ray to a point, between near and the point.
 bool is_covered(const Params& params, const Derived& derived, const Scene& scene, const glm::dvec3& point_world) {
     constexpr double least = 1e-4;  // surfaces that touch the point do not cover it
     const glm::dvec3 way = -line_of_sight(derived.eye_world, point_world);
@@ -208,7 +208,7 @@ bool is_covered(const Params& params, const Derived& derived, const Scene& scene
     });
 }
 
-/// A mesh's part in the picture. Lengths are fractions of the picture's height.
+/// The size of a mesh in the picture. Lengths are fractions of the picture's height.
 struct Drawn {
     double area = 0.0;    ///< of all its triangles, whether or not they hide each other
     double length = 0.0;  ///< the diagonal of its bounds

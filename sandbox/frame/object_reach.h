@@ -26,7 +26,8 @@ inline constexpr double standing = 1e-4;
 /// scene's bounds rule out such a vertex; otherwise, it searches the BoxTree of each mesh.
 Message objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
 
-/// Returns the names of the objects that have such a vertex and also one with form · (p, 1) > limit.
+/// Returns the names of the objects that have vertices on both sides: one with form · (p, 1) ≤ limit, and one with
+/// form · (p, 1) > limit.
 Message objects_across(const Scene& scene, const glm::dvec4& form, double limit);
 
 /// Returns whether any of at most 127 sampled vertices of an object is in the picture, between near and far.
@@ -43,7 +44,9 @@ struct Landing {
     const PlanePatch& patch;
     /// Points of the plane that something covers count as outside the picture; null: no point is covered.
     std::function<bool(const glm::dvec3&)> is_covered = nullptr;
-    bool is_image = false;  ///< lies beyond the plane: where near cuts the patch off, it counts as outside
+    /// The map makes a mirror image, which lies beyond the plane: where near cuts the patch off, the image counts as
+    /// outside the patch.
+    bool is_image = false;
 
     /// Returns whether a homogeneous point of the plane, with w > 0, is covered.
     bool hides(const glm::dvec4& sent) const { return is_covered && is_covered(glm::dvec3(sent) / sent.w); }
@@ -67,7 +70,7 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 /// respectively.
 std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 
-/// Returns the same and two more, which are positive between near and far.
+/// Returns forms_of_sides() and two more forms, which are both positive between near and far.
 std::vector<glm::dvec4> forms_of_frustum(const glm::dmat4& clip_from_world);
 
 /// Returns whether part of a triangle of an object is where all forms, at most 32, are positive. For a mesh of more

@@ -71,8 +71,8 @@ constexpr StencilState counts_once(int region, int light_bit) {
             .write_bits = light_bit};
 }
 
-/// Does the same without a region: overlapping casters still make one shadow, but that shadow extends beyond its
-/// receiver.
+/// Draws each pixel once per light, in any region: overlapping casters still make one shadow, but the shadow extends
+/// beyond its receiver.
 constexpr StencilState counts_once_anywhere(int light_bit) {
     return {.test = true,
             .func = CompareFunc::equal,
@@ -87,7 +87,7 @@ constexpr StencilState exactly(int value) {
     return {.test = true, .func = CompareFunc::equal, .reference = value};
 }
 
-/// Clears the marks of missing lights in a region, because in a mirror the next patch uses the same value.
+/// Clears the marks of missing lights in a region, because the next patch in the mirror uses the same region value.
 constexpr StencilState forgets_lights(int region) {
     StencilState state = inside(region);
     state.on_pass = StencilOp::zero;

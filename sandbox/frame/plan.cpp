@@ -286,7 +286,7 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     }
     use_hidden_surfaces(made, params, derived, hidden);
     if (params.view.shows == Shows::overdraw) count_overdraw(made);
-    // With 16 bits of depth, GL has no stencil; its substitute has one value per pixel.
+    // With 16 bits of depth, a mask replaces the stencil (gl/target.h); it has one value per pixel, not per sample.
     if (made.depth_format == DepthFormat::d16 &&
         std::any_of(made.passes.begin(), made.passes.end(), depends_on_stencil))
         made.samples = 0;
@@ -299,7 +299,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
-    plain.reflection.same_projection = true;  // only the camera's view shows this mistake and the next one
+    plain.reflection.same_projection = true;  // only the camera's view shows another projection or fovy in mirrors
     plain.reflection.fovy = 0.0;
     FramePlan made = frame_plan(params, derived);
     if (params.observer.image_space) plain.reflection.stencil = false;  // show the whole image

@@ -201,13 +201,14 @@ GrayScale gray_scale(const FramePlan& plan);
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
-/// Returns the GL calls that turn the state of one pass of a frame into that of another, with the values that they set,
-/// in the lecture's words; unchanged state needs no call. first_gl_state() is the state before the first pass.
+/// Returns the GL calls, with their arguments, that change the state of the pass `before` into that of `pass`, then the
+/// call that draws `pass`, in the lecture's words. Unchanged state needs no call. first_gl_state() is the state before
+/// the first pass.
 std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
-/// Returns the calls that begin a frame if the previous frame had the same plan. The first of them reset the state that
-/// its last pass left behind.
+/// Returns the calls that begin a frame if the previous frame had the same plan. The first calls reset the state that
+/// the previous frame's last pass left behind.
 std::vector<std::string> clear_calls(const FramePlan& frame);
 
 /// Return "GL_LEQUAL" and the like.

@@ -45,9 +45,9 @@ struct Level {
     /// as in the lecture's code; "(−S₁₂)" for plane 1 and light 2, with the sign that makes w positive.
     std::string mirror_symbol(std::size_t plane_index) const;
     std::string shadow_symbol(std::size_t plane_index, std::size_t light) const;
-    bool mirrors(std::size_t index) const;                             ///< whether its mirror image is drawn
-    std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< the lights whose shadows are drawn on it
-    int region_of(std::size_t index) const;                            ///< the stencil's low bits inside its patch
+    bool mirrors(std::size_t index) const;                             ///< whether the plane's mirror image is drawn
+    std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< the lights whose shadows the plane shows
+    int region_of(std::size_t index) const;                            ///< the stencil's low bits in the plane's patch
 
     /// Returns "Objects in mirror 2" for "Objects".
     Message placed(const Message& name) const;

@@ -69,7 +69,7 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
                   "light"_a = light, "planes"_a = behind));
 }
 
-/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), however small: any w > 0 shows in S.
+/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), even a tiny w: any w > 0 changes S.
 void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (light.w <= 0.0 || light.w >= 1.0) return;
@@ -211,8 +211,8 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
 /// shadow beyond its patch is still drawn where it is nearer than the depths of the previous frame. A mirror that is
-/// drawn last is not tested, so it shows the mistakes of V and P, and where depth is cleared for its image, nearer
-/// fragments pass.
+/// drawn last is not tested, so it shows a wrong P and an S filled by rows. Where depth is cleared for the mirror's
+/// image, nearer fragments pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     const DepthParams& depth = params.depth;
     const ReflectionParams& reflection = params.reflection;
@@ -237,11 +237,13 @@ bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
     return std::any_of(problems.begin(), problems.end(), [id](const Problem& problem) { return problem.id == id; });
 }
 
-/// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
-/// value are drawn over each other, the mirror's own depth of this or the previous frame hides them, or far cuts them
-/// off, clipping while the mirror covers whatever is in front, those of shadows while an offset pushes them behind
-/// their planes or a wrong R or S misplaces them, and all others while what was drawn in the previous frame is
-/// rejected. The sentences about clearing and about GL_NOTEQUAL keep theirs.
+/// Removes the fixes that may change nothing until another problem is fixed:
+/// - of images, while planes that share a stencil value are drawn over each other, while the mirror's own depth of this
+///   or the previous frame hides the images, or while far cuts them off;
+/// - of clipping at a mirror, while the last fragment drawn wins, so that the mirror covers whatever is in front of it;
+/// - of shadows, while an offset pushes them behind their planes, or a wrong R or S misplaces them;
+/// - of everything else, while the depth test rejects what was drawn in the previous frame. The sentence about clearing
+///   then keeps its fix or, with GL_NOTEQUAL, the sentence about GL_NOTEQUAL does.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const DepthParams& depth = params.depth;
     const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,

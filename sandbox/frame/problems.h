@@ -30,8 +30,8 @@ struct Problem {
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame);
 
-/// Adds a problem if the picture shows none of the objects, not even in a mirror, or no part of a mesh, or if far cuts
-/// off what mirrors show.
+/// Adds a problem if the picture shows no object, not even in a mirror; if a mesh is too small to see; if near or far
+/// cuts off objects; or if far cuts off mirror images.
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene, const std::vector<SeenImage>& images);
 

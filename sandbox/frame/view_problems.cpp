@@ -1,4 +1,4 @@
-// Reports that the picture shows none of the scene's objects, and says where they are or what cuts them off.
+// Reports objects that the picture does not show, or shows only in part, and says where they are or what cuts them off.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
-// The camera as gluLookAt takes it: eye, center and up. The angles define the camera; look_at_of derives the three
-// points from them, and camera_looking_at converts them back. Read camera.h first.
+// The camera as gluLookAt takes it: eye, center and up. The angles define the camera; look_at_of converts them to eye,
+// center and up, and camera_looking_at converts these back. Read camera.h first.
 #pragma once
 
 #include <glm/glm.hpp>

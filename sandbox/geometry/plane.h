@@ -23,8 +23,8 @@ glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 /// clipping keeps the shadow. Returns +1 if Π·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// Returns the plane with the sign that puts a point, an eye or a light on its positive side. Returns it unchanged if
-/// the point is in the plane.
+/// Returns the plane with the sign that puts `point`, which may be an eye or a light, on the positive side. Returns the
+/// plane unchanged if it contains the point.
 glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point);
 
 /// Returns the unit direction in which an eye sees a point; an eye with w = 0 has parallel view rays.

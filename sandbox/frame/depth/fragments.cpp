@@ -19,18 +19,19 @@ namespace {
 /// A surface on the pixel's ray, before any test.
 struct Met {
     int object;         ///< index in the scene; −1: the patch
-    std::size_t place;  ///< of the triangle in its mesh, or in a method's order
+    std::size_t place;  ///< index of the triangle in its mesh, or in a sorting method's order
     PixelTriangle triangle;
     PixelHit hit;
     glm::dvec3 point_scene;  ///< world space
     DepthOffset offset;
-    std::optional<ProjectedTriangle> projected;  ///< if the camera's lens alone does not determine its depth
+    std::optional<ProjectedTriangle> projected;  ///< set if the camera's lens alone does not determine the depth
 };
 
 /// Finds everything that one pass draws over one pixel.
 class Meeting {
 public:
-    /// `clip_from_world`: the pass's matrix, or the one for the part of the view that has `size_px` pixels.
+    /// `clip_from_world`, `pixel` and `size_px` belong to the view or, if the pass shows a software method's picture,
+    /// to that picture.
     Meeting(const FramePlan& plan, const Pass& pass, const glm::dmat4& clip_from_world, glm::ivec2 pixel,
             glm::ivec2 size_px)
         : plan_(plan),
@@ -75,8 +76,9 @@ public:
     std::vector<Met> found;
 
 private:
-    /// Returns whether the plane cuts the box, so that a triangle there may have corners on both sides of w = 0. If the
-    /// sign of w is forced, such a triangle covers pixels that none of its points project to.
+    /// Returns whether the plane w = 0, given in the box's space, cuts the box: a triangle in the box may then have
+    /// corners on both sides. If the sign of w is forced, such a triangle covers pixels that none of its points project
+    /// to.
     static bool crosses(const glm::dvec4& plane, const Bounds& box) {
         const double middle = glm::dot(plane, glm::dvec4(box.center(), 1.0));
         return std::abs(middle) <= glm::dot(glm::abs(glm::dvec3(plane)), box.size() * 0.5);
@@ -152,8 +154,8 @@ std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, gl
     return static_cast<int>(seen.color.w) - 1;
 }
 
-/// Returns everything that one pass draws over one pixel. If a method's pixel is larger, the center of that pixel
-/// counts.
+/// Returns an empty Meeting for one pass and one pixel. If the pass shows a software method's picture, the Meeting is
+/// for the picture's pixel at that place.
 Meeting meeting_of(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);
     const std::optional<glm::ivec2> own = pixel_of_picture(picture, pixel, size_px);

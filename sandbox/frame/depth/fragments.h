@@ -27,7 +27,7 @@ struct Fragment {
     std::string object;     ///< "plane" for the patch
     std::size_t pass = 0;   ///< index in FramePlan::passes
     int object_index = -1;  ///< in the scene; −1 − i: the patch of plane i; no_object: a square over the picture
-    int triangle = 0;       ///< index in the object's mesh, or in a method's order
+    int triangle = 0;       ///< index in the object's mesh, or in a sorting method's order
     double eye_z = 0.0;     ///< negative in front of the camera
     double window_depth = 0.0;  ///< 0 … 1, with a decal's offset, before rounding to a code
     double depth_error = 0.0;   ///< how far GL's window depth may differ: depth_error()
@@ -42,7 +42,7 @@ struct Fragment {
     double step = 0.0;    ///< depth_step() at its distance
 
     DepthState depth;                  ///< the depth state of its pass: the rules of its test
-    std::uint32_t compared_with = 0;   ///< the code in the buffer when it is drawn
+    std::uint32_t compared_with = 0;   ///< the code in the buffer when this fragment is tested
     bool stencil_fails = false;        ///< its pass's stencil test rejects it
     bool decided_by_rounding = false;  ///< GL's decision contradicts these codes: see reconcile()
 
@@ -50,7 +50,7 @@ struct Fragment {
     glm::dvec3 point_scene{0.0};  ///< in world space, before the pass's S or R
     bool cut_off = false;         ///< a clip plane of the pass rejects it: only everything_at() lists it
     int stencil_before = 0, stencil_after = 0;
-    std::uint32_t depth_after = 0;  ///< the code in the buffer after it
+    std::uint32_t depth_after = 0;  ///< the code in the buffer after this fragment
 };
 
 /// Keeps a scene's triangles in box trees for fast repeated queries; make one finder per scene.
@@ -91,7 +91,8 @@ private:
     std::vector<std::shared_ptr<const BoxTree>> trees_;  ///< one per object
 };
 
-/// Finds the fragments of one pixel if the frame's method draws in scene order. For many queries, use a FragmentFinder.
+/// Returns the fragments of one pixel, for frames whose method draws in scene order. For many queries, use a
+/// FragmentFinder.
 std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,
                                    glm::ivec2 size_px);
 

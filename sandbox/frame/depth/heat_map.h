@@ -44,9 +44,9 @@ struct HeatMap {
 
 HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scene);
 
-/// Colors for a gap divided by its onset: at 0, ½ and just below 1, where the surfaces share codes, then at 1, 2 and
-/// from 4 on. Interpolated linearly below 1 and logarithmically above. Colors for fighting are dark and red, colors for
-/// safe gaps light and blue, so the order is visible without color, too.
+/// Colors for the ratio of a gap to its onset: for 0, ½ and just below 1 (the surfaces share codes), then for 1, 2, and
+/// 4 or more. Interpolated linearly below 1 and logarithmically above. Fighting is dark and red, and safe gaps are
+/// light and blue, so the order is visible without color, too.
 inline constexpr std::array<Color, 6> heat_colors = {{{0x8e, 0x1b, 0x12},
                                                       {0xc0, 0x36, 0x1e},
                                                       {0xe4, 0x57, 0x2e},

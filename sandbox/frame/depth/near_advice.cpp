@@ -120,7 +120,8 @@ Reach reach_of(const PlanePatch& patch, const glm::dmat4& view_from_world, View&
 }
 
 struct Change {
-    double now = 0.0, then = 0.0;  ///< the smallest gap that depth reliably resolves at `z`
+    /// The smallest gap that depth reliably resolves at `z`, with the current and with the proposed near.
+    double now = 0.0, then = 0.0;
     double z = 0.0;
 };
 

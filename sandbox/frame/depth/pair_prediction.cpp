@@ -78,9 +78,9 @@ struct SeenCodes {
     /// Returns whether both surfaces have the same single code everywhere.
     bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
 
-    /// Widens an interval for the wrong fraction over all phases of a code into one for the fraction over the actual
-    /// pixels. A depth that is linear over a polygon has a density with one maximum, which is at most twice the mean,
-    /// and is sampled once per pixel.
+    /// Widens an interval for the wrong fraction over all phases of a code, so that it holds for the actual pixels,
+    /// each of which samples the depth once. If depth is linear over a polygon, its density has one maximum, at most
+    /// twice the mean.
     ShareInterval widened(const ShareInterval& share) const {
         double deviation = 1e300;
         for (int axis = 0; axis < 2; ++axis) {

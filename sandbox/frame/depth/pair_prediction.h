@@ -1,5 +1,6 @@
-// Predicts how two surfaces fight: the fraction of their pixels that show the wrong surface, as an interval that holds
-// for any float32 arithmetic, or no prediction. Pure; measure/fighting_measure.h counts the wrong pixels that GL draws.
+// Predicts how two surfaces fight: an interval for the fraction of their pixels that show the wrong surface. The
+// interval holds for any float32 arithmetic; some pairs get no prediction. Pure; measure/fighting_measure.h counts the
+// wrong pixels that GL draws.
 #pragma once
 
 #include <optional>
@@ -25,15 +26,15 @@ ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, dou
 struct PairPrediction {
     double distance = 0.0;  ///< eye distance of the overlap's center
     double step = 0.0;      ///< depth_step() there
-    FightingOnset onset;    ///< as eye distance, where the visible part needs the widest gap
+    FightingOnset onset;    ///< in eye distance, at the visible point that needs the widest gap
     double slant = 1.0;     ///< at that point: gap along the normal ÷ gap in eye distance; 0: seen edge-on
     /// The fraction of the pair's pixels that are wrong; none if it cannot be predicted to within nine tenths. There is
     /// no prediction for a pair that is out of view or whose surfaces cross, a depth function that does not compare
     /// nearness, a depth buffer that is not written or not cleared to the farthest depth, depths that may equal the
     /// cleared code, logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes
-    /// (all of their pixels may have the same one) or more than one code every two pixels (pixel positions decide which
-    /// ones), decals drawn with GL_EQUAL, and a polygon offset whose effect is not measured and is not certain to
-    /// exceed one code.
+    /// (all of their pixels may have the same code) or more than one code every two pixels (the codes then depend on
+    /// the pixels' positions), decals drawn with GL_EQUAL, and a polygon offset whose effect is not measured and is not
+    /// certain to exceed one code.
     std::optional<ShareInterval> wrong_share;
 };
 

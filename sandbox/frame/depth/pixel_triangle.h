@@ -27,7 +27,8 @@ struct PixelHit {
 using PixelTriangle = std::array<PixelCorner, 3>;
 
 /// Returns the hit if the triangle covers the pixel's center. If triangles share an edge through the center, only one
-/// of them is hit: the one to its right or, for a horizontal edge, below it. None for a triangle seen edge-on.
+/// of them is hit: the one to the right of the edge or, if the edge is horizontal, below it. None for a triangle seen
+/// edge-on.
 std::optional<PixelHit> hit(const PixelTriangle& triangle);
 
 /// Returns the weights of the corners, sum 1, at the point where the view ray that is `beside_px` pixels from the

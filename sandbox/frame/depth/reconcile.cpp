@@ -75,7 +75,8 @@ void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool
     const bool leaves_depth = seen->depth.write && std::none_of(seen + 1, fragments.end(), [](const Fragment& later) {
                                   return later.passes && !later.drawn;
                               });
-    // If depth is not cleared, the previous frame left the depth of the same surface.
+    // If depth is not cleared, the fragments up to this one may have been compared with this surface's depth from the
+    // previous frame.
     const std::uint32_t computed = seen->stored;
     if (leaves_depth && !clears_depth)
         for (auto one = fragments.begin(); one <= seen; ++one)

@@ -99,8 +99,8 @@ bool is_right_transposed(const ExplainedMatrix& found, const glm::dmat4& matrix)
     return off <= 1e-3 * largest_entry(right);
 }
 
-/// Identifies a wrong S or R entered by hand; returns nothing if it is right or not recognized. `matrix` is its name,
-/// `letter` the letter of the right matrix.
+/// Identifies a wrong S or R entered by hand; returns nothing if the matrix is right or not recognized. `matrix`: the
+/// name of the entered matrix, such as "S of plane 2, light 1"; `letter`: the letter of the right matrix, S or R.
 std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat4& entries, char letter,
                                    const Message& matrix) {
     if (found.letter != 'S' && found.letter != 'R') return std::nullopt;
@@ -209,7 +209,8 @@ void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const Message& matri
                          "matrix"_a = matrix));
 }
 
-/// Identifies one S or, if it is not recognized, reports the property that it lacks.
+/// Reports one S entered by hand. If its shadow should be drawn, identifies the matrix or, if it is not recognized,
+/// reports the property that it lacks; also reports whether clipping removes the shadow.
 void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& derived, std::size_t plane,
                          std::size_t light) {
     const DerivedPlane& of = derived.planes[plane];

@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// The fault of a matrix. `other_…` and `different` mean a correct matrix, but one of something else.
+/// The fault of a matrix. `other_…` and `different`: correct, but for another light, plane, camera or lens.
 enum class MatrixFault {
     none,
     inverse,             ///< C where V belongs, or V where C belongs
@@ -36,7 +36,7 @@ enum class MatrixFault {
 /// The parameters of a projection, read from its entries; lengths in world units, angles in degrees.
 struct FoundLens {
     bool orthographic = false;
-    double fovy_deg = 0.0, height = 0.0;  ///< perspective; orthographic
+    double fovy_deg = 0.0, height = 0.0;  ///< one of them: fovy if perspective, height if orthographic
     double aspect = 1.0;
     double near = 0.0, far = 0.0;  ///< far is +∞ if infinite; near > far if reversed
     bool zero_to_one = false;      ///< read for a clip range 0 … 1 instead of −1 … 1
@@ -52,19 +52,20 @@ struct ExplainedMatrix {
     std::optional<glm::dmat4> right;   ///< the state's matrix of that letter, without mistakes
     double off = 0.0;                  ///< largest absolute entry of the difference from `right`; S: up to a factor
     std::optional<LookAt> camera;      ///< V, C
-    Angles angles;                     ///< of that camera
+    Angles angles;                     ///< of `camera`
     std::optional<FoundLens> lens;     ///< P
     std::optional<glm::dvec4> found_plane, found_light;  ///< S, R: unit plane; light with w = 1 or 0
     glm::dvec3 scale{1.0};                               ///< V, C: lengths of the axes
 };
 
-/// Reads a P whose clip w is −z (perspective) or 1 (orthographic); none if `m` has other entries. `zero_to_one`: its
-/// clip range; `tolerance`: rounding of each entry.
+/// Reads a P whose clip w is −z (perspective) or 1 (orthographic); none if `m` has other entries. `zero_to_one`: P is
+/// for a clip range 0 … 1, not −1 … 1; `tolerance`: rounding of each entry.
 std::optional<FoundLens> read_lens(const glm::dmat4& m, bool zero_to_one, double tolerance);
 
-/// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. For reversed depth, the third row
-/// decides or, if near and far are close together, the state does. Otherwise, the third row fits both ranges, each with
-/// a different near: the range is 0 … 1 if only its near is the state's own or has at most two digits.
+/// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. If P reverses depth, returns true for
+/// a perspective P whose third diagonal entry is below 1; for any other, the state's range decides. If P does not
+/// reverse depth, its third row fits both ranges, each with a different near: returns true if only the near for 0 … 1
+/// is plausible, which means that it is the state's own or has at most two digits.
 bool is_for_zero_to_one(const glm::dmat4& p, const Params& params, double tolerance);
 
 /// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter of the expected matrix, 0 if any.

@@ -35,7 +35,7 @@ std::string without_comments(std::string_view text) {
     return kept;
 }
 
-/// Returns the matrix's letter according to the words before the numbers; 0 if they give none.
+/// Returns the letter of the matrix that the words before the numbers name; 0 if they name none.
 char letter_in(std::string_view front) {
     static constexpr std::pair<std::string_view, char> names[] = {{"view_from_world", 'V'},
                                                                   {"world_from_view", 'C'},

@@ -17,9 +17,9 @@ struct PastedMatrix {
     double tolerance = 1e-9;  ///< half a unit in the last decimal place
 };
 
-/// Reads 16 numbers as GLM and C write them (columns first; nested or flat), or as NumPy, MATLAB, JSON, LaTeX and plain
-/// text do (rows; a flat JSON list by columns, like the arrays of WebGL). Allows comments and a name before the
-/// numbers; refuses any other count of numbers.
+/// Reads 16 numbers, nested or flat: by columns from GLM, C and a flat JSON list (as WebGL stores matrices), and by
+/// rows from NumPy, MATLAB, nested JSON, LaTeX and plain text. Allows comments and a name before the numbers. Returns
+/// an error for any other count of numbers.
 Result<PastedMatrix> read_pasted_matrix(std::string_view text);
 
 }  // namespace viewing

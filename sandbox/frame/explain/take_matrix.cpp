@@ -118,7 +118,7 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
             return found.letter == 'C' ? pose : view_from_world(pose);
         }
         case MatrixFault::left_handed:
-            // V looks along +z: negate the third row of V, or the third column of C or P.
+            // The camera looks along +z: negate the third row of V, or the third column of C or P.
             return found.letter == 'V' ? negated(pasted, 2) : glm::transpose(negated(glm::transpose(pasted), 2));
         case MatrixFault::looks_back:
             return negated(negated(pasted, 0), 2);

@@ -15,10 +15,10 @@ bool is_takeable(const ExplainedMatrix& found);
 std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const ExplainedMatrix& found);
 
 /// Gives the state the camera, projection, S or R of a matrix that can be taken, so that the state's own matrix equals
-/// it, and switches off mistakes that would change that. P is read for the clip range −1 … 1 or, if it is reversed, as
-/// is_for_zero_to_one() decides; S and R replace those of the chosen plane and light. `letter`: V, C, P, S or R.
-/// `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns false for values that no
-/// state may have.
+/// `matrix`, and switches off mistakes that would make the two differ. P is read for the clip range −1 … 1 or, if P is
+/// reversed, as is_for_zero_to_one() decides; S and R replace those of the chosen plane and light. `letter`: V, C, P, S
+/// or R. `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns false for values that
+/// no state may have.
 bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);
 
 /// Enters a matrix by hand, right or wrong: in place of V, P, or the chosen plane's and light's S or R; for a C, its

@@ -12,7 +12,7 @@ bool is_mirrored(const SceneObject& object) {
     return glm::determinant(glm::dmat3(object.world_from_model)) < 0.0;
 }
 
-/// Reports an epsilon of the BSP tree that is wide enough to be seen.
+/// Reports an epsilon of the BSP tree that is wide enough to cause visible errors.
 void say_epsilon(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     if (params.visibility.method != VisibilityMethod::bsp || scene.objects.empty()) return;
     const double epsilon =

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the eye's position, even for an orthographic camera; 0 for a view matrix that has none.
+/// Returns the eye's position, even for an orthographic camera; 0 if the view matrix has no inverse.
 glm::dvec3 origin_of(const Viewpoint& viewpoint) {
     const glm::dmat3 turned(viewpoint.view_from_world);
     if (glm::determinant(turned) == 0.0) return glm::dvec3(0.0);

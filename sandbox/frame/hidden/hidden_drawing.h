@@ -45,8 +45,8 @@ struct HiddenDrawing {
     bool is_cut = false;                  ///< canceled before the last triangle
 };
 
-/// Draws the polygons up to the step, or the picture at the step. If canceled, the drawing has at least the first
-/// 32,768 polygons, so a drawing that is quick to make is always complete.
+/// Returns a drawing of the polygons up to the result's step, or of the picture at that step. If canceled, the drawing
+/// has at least the first 32,768 polygons, so a drawing that is quick to make is always complete.
 HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress = nullptr);
 
 /// A picture to lay over another: red where two pictures differ, and a dark veil elsewhere.

@@ -55,7 +55,7 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     request.viewpoint.view_from_world = derived.view_from_world * plane.mirrored_world_from_world;
     request.visibility.step = -1;
     if (params.reflection.clip != MirrorClip::none) {
-        // Objects behind the mirror would block this eye's view, so its picture begins at the mirror.
+        // Objects behind the mirror would block the mirrored eye's view, so this picture begins at the mirror.
         const glm::dvec4 towards_eye = plane_facing(plane.unit_plane, derived.eye_world);
         request.viewpoint.clip_from_view = with_oblique_near_plane(
             request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));

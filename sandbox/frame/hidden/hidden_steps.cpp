@@ -16,7 +16,8 @@ int drawn_after(const NewellOrder& newell, int steps) {
     return static_cast<int>(std::count_if(newell.steps.begin(), newell.steps.begin() + steps, draws));
 }
 
-/// Returns how many polygons the visits so far have drawn; `order` is the traversal's order without culled polygons.
+/// Returns how many polygons the visits to tree nodes draw up to the step. `result.order` is the traversal's order
+/// without culled polygons.
 int drawn_by_visits(const HiddenResult& result) {
     int passed = 0, drawn = 0;
     for (int visit = 0; visit < result.visited_nodes; ++visit) {
@@ -36,8 +37,8 @@ int as_step(std::int64_t number) {
     return static_cast<int>(std::min(number, most_steps));
 }
 
-/// Groups the steps. Newell's steps for a polygon end when it is drawn; a tree is built, then traversed; rays are
-/// grouped by row.
+/// Groups the steps: for Newell's algorithm, by the polygon that each group draws; for a tree, into building and
+/// traversal; for rays, by row. The groups of the software depth buffer are known already.
 void find_groups(HiddenResult& result) {
     std::vector<int>& ends = result.group_ends;
     if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) return;

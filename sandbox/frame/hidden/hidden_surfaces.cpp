@@ -171,7 +171,7 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     HiddenCounters& counters = result.counters;
     counters.polygons = static_cast<std::int64_t>(polygons->size() + (exact ? surface_->curved.size() : 0));
 
-    // The hierarchy serves every camera, unless culling decides its contents.
+    // Without culling, the hierarchy does not depend on the camera and can be used again.
     const bool serves = rays_.scene && uses_exact_curves(rays_.made_for) == exact && !rays_.made_for.cull.enabled &&
                         !request.cull.enabled;
     if (!serves) {

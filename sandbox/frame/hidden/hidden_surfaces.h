@@ -23,7 +23,7 @@ struct HiddenRequest {
     CullParams cull;
     Viewpoint viewpoint;
     glm::ivec2 size_px{1};  ///< of the picture to compute: the view's size, or a raster's
-    glm::dvec2 share{1.0};  ///< of the view's width and height that the picture fills, centered
+    glm::dvec2 share{1.0};  ///< fraction of the view's width and height that the centered picture fills
     bool operator==(const HiddenRequest&) const = default;
 };
 
@@ -87,7 +87,7 @@ struct HiddenResult {
     int built_nodes = 0, visited_nodes = 0;  ///< nodes that the step has reached, in building and in traversal
     std::optional<RasterStep> compare;       ///< software depth buffer: the last comparison
     std::optional<TracedRay> traced;         ///< ray casting: the ray of the step, or else the followed pixel's
-    std::vector<PixelTouch> touches;         ///< of the followed pixel: for all steps, in order
+    std::vector<PixelTouch> touches;         ///< fragments in the followed pixel, over all steps, in order
 
     int step = -1, step_count = 0;  ///< −1: all
     std::vector<int> group_ends;    ///< the last step of each group (step_groups.h); empty: no groups
@@ -145,7 +145,7 @@ private:
     std::shared_ptr<const SceneSurface> surface_;
     Trees trees_;
     Rays rays_;
-    std::vector<std::shared_ptr<const HiddenResult>> latest_;  ///< for the camera and the mirrored eye, for two methods
+    std::vector<std::shared_ptr<const HiddenResult>> latest_;  ///< camera and mirrored eye, for two methods
 };
 
 }  // namespace viewing

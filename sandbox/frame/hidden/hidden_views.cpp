@@ -11,8 +11,8 @@ bool has_image(const HiddenResult& result) {
     return draws_pixels(result.request.visibility);
 }
 
-/// Returns whether no method can use the mirror's view, because R, the mirrored side or the mirrored camera's
-/// projection was replaced. GL then draws that image in scene order.
+/// Returns whether only GL can draw the mirror image, in scene order, because a setting or a mistake changes R, the
+/// mirrored side or the mirrored camera's projection.
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
     const bool has_other_camera = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||

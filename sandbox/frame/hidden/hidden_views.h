@@ -1,5 +1,6 @@
-// The question that a picture asks of the hidden-surface methods, and the answer: the method for the camera, the same
-// method for the eye behind the mirror, and the method to compare with. See hidden_surfaces.h for a single method.
+// The question that a picture asks of the hidden-surface methods, and the answer: one method's results for the camera
+// and for the eye behind the mirror, and the results of a second method to compare with. See hidden_surfaces.h for a
+// single method.
 #pragma once
 
 #include <optional>

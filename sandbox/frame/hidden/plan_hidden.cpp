@@ -37,7 +37,8 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     beyond.clip_planes = {-towards_eye};
     passes.back().name = message("Objects in front of the plane");
     passes.back().clip_planes = {towards_eye};
-    // A mirror's patch is transparent to its image, but must not show the objects behind it: the mask excludes them.
+    // A mirror's patch lets the mirror image show through, but must hide the objects behind the mirror: the mask
+    // excludes these objects.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
     if (has_mask) beyond.stencil = stencil_of_objects_beyond(passes.front());
     passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);
@@ -58,7 +59,7 @@ Pass difference_pass(const Message& reason) {
 
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden) {
     frame.hidden = hidden;
-    // Until the method has a result, draw nothing in its place.
+    // Until the method has a result, the passes that would show the scene are left out.
     if (!hidden.camera && !is_drawn_by_gl_alone(params.visibility.method)) std::erase_if(frame.passes, shows_the_scene);
     const auto subject_of = [](const HiddenDrawing& drawing) {
         return drawing.pixels.empty() ? Subject::ordered : Subject::pixels;

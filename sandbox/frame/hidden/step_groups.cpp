@@ -73,7 +73,7 @@ std::vector<int> steps_of_order(const HiddenResult& result) {
     } else {
         for (std::size_t place = 0; place < count; ++place) steps.push_back(static_cast<int>(place) + 1);
     }
-    steps.resize(count, result.step_count);  // for steps of Newell's algorithm that were counted but not recorded
+    steps.resize(count, result.step_count);  // for polygons that Newell's recorded steps do not reach
     return steps;
 }
 

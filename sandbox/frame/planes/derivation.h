@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// Returns the point to derive: the followed vertex or, without one, a point one unit from the center of the chosen
-/// plane's patch, on the chosen light's side.
+/// Returns the point p = q of the derivations: the followed point or, without one, a point one unit from the center of
+/// the chosen plane's patch, on the chosen light's side.
 glm::dvec3 derivation_point(const Derived& derived);
 
 /// The path of the ray from the light through p.
@@ -53,8 +53,8 @@ struct ShadowDerivation {
 };
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world);
 
-/// The same matrix three times, each as written on its slide. The first two are present only if l_w = 1; the first,
-/// Blinn's, also requires the plane y = 0 with its normal up.
+/// S in three forms, each as written on its slide. The first two are present only if l_w = 1; the first, Blinn's, also
+/// requires the plane y = 0 with its normal up.
 struct ShadowForms {
     std::optional<glm::dmat4> blinn;   ///< Planar Shadow: l_y, l_x and l_z alone
     std::optional<glm::dmat4> with_d;  ///< Projection Shadow: n·l + d − …

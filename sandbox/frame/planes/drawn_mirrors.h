@@ -13,7 +13,7 @@ struct Mirror {
     const DerivedPlane& plane;
     double eye_side;
     bool is_in_view;
-    glm::dmat4 clip_from_scene{1.0};  ///< draws its image
+    glm::dmat4 clip_from_scene{1.0};  ///< the matrix that draws its image
 
     glm::dvec4 towards_eye() const { return (eye_side < 0.0 ? -1.0 : 1.0) * plane.unit_plane; }
     bool is_seen_from_behind() const { return is_in_view && eye_side < 0.0; }
@@ -37,24 +37,25 @@ glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, co
 std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
                                        const glm::dmat4& clip_from_scene);
 
-/// Returns the same and three more, which are positive on the kept side of the mirror and between near and far.
+/// Returns forms_of_image() and three more forms, all positive on the kept side of the mirror and between near and far.
 std::vector<glm::dvec4> forms_of_drawn_image(const Params& params, const Derived& derived, const Mirror& mirror,
                                              const glm::dmat4& clip_from_scene);
 
-/// Returns whether part of an object may be drawn with this matrix, inside the picture and the mirror, and not covered.
+/// Returns whether `clip_from_scene` may draw part of an object inside the picture and, with the stencil, inside the
+/// mirror and not covered by an object.
 bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                     const glm::dmat4& clip_from_scene);
 
-/// Returns whether an object's image may be in the picture, according to the uploaded R or the right one. Other planes
-/// have images too: with several planes, one may always be.
+/// Returns whether an object's image may be in the picture, drawn with the uploaded R or the right one. With several
+/// planes, always returns true: the images of the other planes are not examined.
 bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
 /// Returns whether a mirror's mask hides the mirror's image, which lies beyond the mirror unless the wrong side is
 /// mirrored. If the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
-/// Returns whether it hides all of the image: no part is drawn in front of the mirror or with the codes of an oblique
-/// near plane.
+/// Returns whether the mask hides the whole image: no part is drawn in front of the mirror or with the codes of an
+/// oblique near plane.
 bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
 /// Returns whether part of a shadow may be seen in a mirror, on another plane's patch.

@@ -13,11 +13,11 @@ WayThroughMirrors way_of(const Params& params, const Derived& derived, const Fra
     WayThroughMirrors way;
     const std::vector<std::size_t>& mirrors = pass.mirrors_met;
     way.mirrors = mirrors;
-    // The eye as each mirror on the way sees it, mirrored by those before it.
+    // For each mirror on the way, the eye, reflected in the mirrors before that mirror.
     std::vector<glm::dvec4> eyes = {derived.eye_world};
     for (const std::size_t mirror : mirrors)
         eyes.push_back(mirror_matrix(derived.planes[mirror].unit_plane) * eyes.back());
-    glm::dmat4 world_from_scene(1.0);  // of this mirror and those after it
+    glm::dmat4 world_from_scene(1.0);  // the product of R for this mirror and those after it
     for (std::size_t i = mirrors.size(); i-- > 0;) {
         const DerivedPlane& plane = derived.planes[mirrors[i]];
         if (i + 1 == mirrors.size()) {

@@ -27,7 +27,7 @@ bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirr
 namespace {
 
 /// Returns forms that are positive where the image lies in front of its mirror, as the picture shows it, by more than
-/// `standing`. Only without clipping, or with a wrong R or P, does part of an image lie there.
+/// `standing`. An image lies there only if nothing is clipped, or if R or P is wrong.
 std::vector<glm::dvec4> forms_in_front(const Params& params, const Derived& derived, const Mirror& mirror) {
     Params in_patch = params;  // outside the patch, the image is visible for another reason
     in_patch.reflection.stencil = true;
@@ -108,8 +108,8 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
     }
 }
 
-/// Returns forms that are positive in the picture, on one side of the mirror's plane, in front of the patch or behind
-/// it as the eye sees it.
+/// Returns forms that are positive for points in the picture, on the given side of the mirror's plane, whose view ray
+/// passes through the patch.
 std::vector<glm::dvec4> forms_over_patch(const Derived& derived, const Mirror& mirror, const glm::dvec4& side) {
     std::vector<glm::dvec4> forms = {side - glm::dvec4(0.0, 0.0, 0.0, standing)};
     for (const glm::dvec4& side_of_view : forms_of_frustum(derived.clip_from_world)) forms.push_back(side_of_view);
@@ -134,8 +134,8 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     };
     const bool is_blended_over =
         is_drawn_by_gl_alone(params.visibility.method) && (reflection.stencil || last_fragment_wins(params));
-    // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other
-    // depths.
+    // Where the depth test rejects the patch, the stencil would not be marked and would exclude the image. Without the
+    // stencil, an image may appear there, because an oblique near plane gives it other depths.
     const bool is_unmarked = reflection.clip == MirrorClip::oblique &&
                              std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
                                  return loses_part(mirror.plane.patch, params, derived);

@@ -51,9 +51,9 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                         "least"_a = least, "most"_a = most));
 }
 
-/// Returns whether the last mirror on the way shows part of another plane's patch that is behind it. If that patch is
-/// perpendicular to the mirror, its image lies in its own plane: it covers the image between its edges, unless it is
-/// the mirror before the last one, which is not drawn in its own image.
+/// Returns whether the last mirror on the way shows part of another plane's patch that is behind the mirror. If the
+/// patch is perpendicular to the mirror, its image lies in the patch's own plane, and the patch covers the image
+/// between the patch's edges. The mirror before the last one covers nothing, since it is not drawn in its own image.
 bool shows_part_behind(const WayThroughMirrors& way, std::span<const DerivedPlane> planes, std::size_t other) {
     const DerivedPlane &patch = planes[other], &mirror = planes[way.mirrors.back()];
     std::vector<glm::dvec4> forms = way.forms_behind(standing);
@@ -184,8 +184,8 @@ bool cuts_image(const Params& params, const Derived& derived, const Mirror& mirr
     return false;
 }
 
-/// Reports an oblique near plane that was not transformed to view space. `nothing_is_left`: the right one leaves
-/// nothing of the image either, so it is no fix.
+/// Reports an oblique near plane that was not transformed to view space. `nothing_is_left`: even the right near plane
+/// leaves nothing of the image, so correcting the mistake is no fix.
 void say_oblique_in_world(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                           const Scene& scene, const FramePlan& frame, bool nothing_is_left) {
     const Mirror& mirror = mirrors.front();

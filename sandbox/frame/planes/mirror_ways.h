@@ -1,4 +1,4 @@
-// The same mirror image made in several ways, and the differences between their pictures and depths. See
+// Several ways to draw the same mirror image, and the differences between their pictures and depths. See
 // measure/mirror_measure.h for the measurement.
 #pragma once
 
@@ -21,9 +21,9 @@ const char* name_of(MirrorWay way);
 
 /// The comparison of one way with the first one.
 struct MirrorWayReport {
-    std::int64_t different = 0;                  ///< pixels without a match in the first picture, there or 1 px away
+    std::int64_t different = 0;                  ///< pixels with no match within 1 px in the first way's picture
     int worst = 0;                               ///< largest difference among these pixels, in color levels
-    double first_depth = 0.0, last_depth = 0.0;  ///< window depths of the image, before the patch covers it
+    double first_depth = 0.0, last_depth = 0.0;  ///< least and greatest window depth, before the patch covers the image
     std::int64_t distinct_depths = 0;            ///< number of different codes
     std::int64_t image_pixels = 0;
     std::int64_t compared = 0;

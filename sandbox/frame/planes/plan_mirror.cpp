@@ -1,5 +1,5 @@
-// Mirror images: the world once more, behind each mirror, inside the mirror's mask. For mirrors in mirrors, the stencil
-// counts up on the way in and down on the way out. Source: lecture, Planar Reflection; Kilgard 1999.
+// Mirror images: draws the world again behind each mirror, inside the mirror's mask. For mirrors in mirrors, the
+// stencil counts up on the way in and down on the way out. Source: lecture, Planar Reflection; Kilgard 1999.
 #include <algorithm>
 #include <cmath>
 
@@ -38,10 +38,11 @@ void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     inside.sky_world = glm::normalize(glm::dmat3(inside.world_from_scene) * sky_scene + 1e-30 * sky_scene);
 }
 
-/// Transforms the camera by R and flips its picture: (F P) (F V R) = P V R. The lights keep their positions.
+/// Transforms the camera by R and flips its picture: (F P) (F V R) = P V R. The lights keep their positions, unless
+/// reflect_light is off.
 void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     const Params& params = inside.params;
-    // The mistake is an aspect ratio of 1, regardless of the picture's.
+    // The mistake: the mirrored camera has an aspect ratio of 1 instead of the picture's.
     if (!params.reflection.same_projection && inside.bounces() == 1)
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
@@ -53,7 +54,8 @@ void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     inside.sky_world = glm::dmat3(mirrored_world_from_world) * inside.sky_world;
 }
 
-/// Draws the picture in the first mirror with reflection.fovy; the mirrors in it have the same projection.
+/// Gives the picture in the first mirror the field of view reflection.fovy. Mirrors seen in that mirror keep its
+/// projection.
 void use_mirror_fovy(Level& inside) {
     const double scale = inside.params.mirror_picture_scale();
     if (scale == 1.0) return;

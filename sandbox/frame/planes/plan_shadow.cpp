@@ -12,8 +12,8 @@ namespace viewing {
 namespace {
 
 /// Returns clip planes that keep the space between the light and the plane: in front of the plane, with a positive w.
-/// Where triangles may land many patch sizes away, they are also clipped around the patch if `ends_at_patch`: float32
-/// is too coarse to compare the depth of triangles that long with the plane's.
+/// If triangles may land many patch sizes away and `ends_at_patch` is set, also clips them around the patch: float32 is
+/// too coarse to compare the depths of such long triangles with the plane's.
 std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
                                     bool ends_at_patch) {
     const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
@@ -71,7 +71,7 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, const
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadowed_world_from_world);
     pass.matrices = level.matrices + " " + level.shadow_symbol(plane, light);
-    // If casters are clipped at the light, no negative w is left whose sign would have to be forced.
+    // If casters are clipped at the light, no negative w remains, so no sign has to be forced.
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
     pass.cull = CullParams{};  // culling must never remove a shadow

@@ -19,8 +19,8 @@ glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
 }
 
-/// Returns S with this sign of w. An S filled by rows, or a lift, does not send points to the plane: it is followed by
-/// their projection from the eye, which sends them to where the eye sees them on the plane.
+/// Returns sign · S. If S is filled by rows, or the shadow is lifted, points do not land on the plane: a projection
+/// from the eye then sends them to where the eye sees them on the plane.
 glm::dmat4 seen_on_patch(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast, double sign,
                          const glm::dvec4& eye_world) {
     const glm::dmat4 landed = sign * cast.shadowed_world_from_world;
@@ -37,7 +37,7 @@ struct Thrown {
     const DerivedPlane& plane;
     const CastShadow& cast;
     Message light_name, plane_name;
-    bool has_anti_shadow = false;  ///< that may be seen
+    bool has_anti_shadow = false;  ///< and the anti-shadow may be seen
     bool is_drawn = true;          ///< false: an S filled by rows sends it out of the picture
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
@@ -48,8 +48,8 @@ struct Thrown {
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
 
-/// A negative w that nothing corrects is judged as if it were positive. With a forced sign, casters beyond the light
-/// throw an anti-shadow, too.
+/// The part of a shadow to judge. For `shadow`, w has its correct, positive sign, even if nothing corrects a negative
+/// w. `anti_shadow`: thrown by casters beyond the light if the sign of w is forced.
 enum class Part { shadow, anti_shadow };
 
 /// Where a part of a shadow lies, and forms that are positive at the points of the casters that throw it.
@@ -59,12 +59,12 @@ struct Landed {
 };
 
 /// Returns the part of a shadow where all the forms `seen`, which take a point of the plane, are positive; none for an
-/// S entered by hand. `on_patch`: only on its own patch.
+/// S entered by hand. `on_patch`: only the part on the plane's patch.
 std::optional<Landed> landed_part(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
                                   Part part, std::span<const glm::dvec4> seen, bool on_patch) {
     if (cast.by_hand) return std::nullopt;
     const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0, sign = part == Part::shadow ? 1.0 : -1.0;
-    // If S is filled by rows, the right shadow may be seen instead.
+    // If S is filled by rows, judge the right shadow, which that mistake may move out of the picture.
     Landed landed{sign * side * right_shadow(plane, cast), {}};
     landed.forms.push_back(glm::transpose(landed.world_from_world)[3]);
     for (const glm::dvec4& form : seen) landed.forms.push_back(form * landed.world_from_world);
@@ -85,7 +85,7 @@ bool may_be_seen(const Params& params, const Derived& derived, const Scene& scen
     return !landed || may_see(params, derived, scene, landed->forms, landed->world_from_world);
 }
 
-/// Returns whether part of a shadow may be seen in a mirror, which shows it only on its patch.
+/// Returns whether part of a shadow may be seen in a mirror, which shows the shadow only on the plane's patch.
 bool may_be_mirrored(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
                      const CastShadow& cast, Part part, std::span<const WayThroughMirrors> ways) {
     constexpr std::size_t most_forms = 32;
@@ -93,7 +93,7 @@ bool may_be_mirrored(const Params& params, const Derived& derived, const Scene& 
     return params.reflection.stencil && std::any_of(ways.begin(), ways.end(), [&](const WayThroughMirrors& way) {
                if (way.mirrors.back() == index) return false;
                const std::optional<Landed> landed = landed_part(params.shadow, plane, cast, part, way.inside, true);
-               // Through more mirrors, hardly a pixel shows it.
+               // Through so many mirrors that there are more forms, hardly a pixel shows the shadow.
                return !landed || (landed->forms.size() <= most_forms && may_reach(scene, landed->forms));
            });
 }
@@ -426,7 +426,7 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
         if (!shadow.clip_to_receiver)
             std::copy_if(thrown.begin(), thrown.end(), std::back_inserter(beyond),
                          [&](const Thrown& one) { return is_seen_beyond(params, derived, one, scene); });
-        // An S filled by rows may hide the shadow there behind the plane or an object.
+        // With an S filled by rows, the plane or an object may hide the part beyond the edge.
         const bool is_sure =
             std::any_of(beyond.begin(), beyond.end(), [](const Thrown& one) { return !one.cast.has_slip; });
         tell.broken(

@@ -31,7 +31,7 @@ struct ShadowAtPixel {
     const Touch* rejected = nullptr;  ///< the first that the depth test rejects
 };
 
-/// Returns the shadow that a light casts on a plane at the chain's pixel, in the world behind these mirrors.
+/// Returns the shadow that a light casts on a plane at the chain's pixel, as seen through the mirrors `mirrors_met`.
 ShadowAtPixel shadow_at(const FramePlan& plan, const PixelChain& chain, std::size_t plane, std::size_t light,
                         const std::vector<std::size_t>& mirrors_met);
 

@@ -23,7 +23,7 @@ Color scaled(const Color& color, double factor) {
     return rounded_color(channels_of(color) * factor);
 }
 
-/// Blends a touch over the pixel, as GL does with 8 bits per channel, and updates the shares of all others.
+/// Blends a touch over the pixel, as GL does with 8 bits per channel, and updates the shares of everything below it.
 void paint(PixelChain& chain, Touch& touch, const Pass& pass) {
     const double alpha = pass.blend == Blend::alpha ? touch.color.alpha : 1.0;
     touch.after = rounded_color(255.0 * touch.color.srgb * alpha + channels_of(chain.color) * (1.0 - alpha));

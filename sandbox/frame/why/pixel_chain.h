@@ -1,6 +1,6 @@
-// Everything that happened at one pixel, in drawing order: what each pass sends there, which tests it passes, and what
-// its color becomes. The color at the end is predicted from the chain, not read back. Read why.h next, which turns the
-// chain into sentences.
+// Everything that happens at one pixel, in drawing order: the fragments that each pass sends, the tests that they pass,
+// and the pixel's color after each fragment. The final color is predicted from the chain, not read back. Read why.h
+// next, which turns the chain into sentences.
 #pragma once
 
 #include <optional>
@@ -45,7 +45,7 @@ struct PixelChain {
 PixelChain pixel_chain(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px);
 
 /// Replays the frame as GL may have rounded it: depth comparisons of values that differ by less than GL's error may
-/// have the opposite outcome. Returns the first such chain that predicts this color; without one, the chain of exact
+/// have the opposite outcome. Returns the first such chain that predicts `read_back`; without one, the chain of exact
 /// depths.
 PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px,
                             const Color& read_back);

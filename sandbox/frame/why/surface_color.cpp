@@ -104,7 +104,7 @@ glm::dvec3 patch_pattern(const FramePlan& plan, double extent, const glm::dvec2&
     return glm::mix(square, glm::dvec3(linear_from_srgb(plan.patch_line)), line * (1.0 - far_away));
 }
 
-/// Returns the point of a patch. Its pattern depends on the neighbors in the same 2 × 2 block of pixels.
+/// Returns the patch's point that a fragment shades. Its color depends on the neighbors in the same 2 × 2 pixel block.
 ShadedPoint point_of_patch(const FramePlan& plan, const Pass& pass, const Fragment& fragment, glm::ivec2 pixel,
                            glm::ivec2 size_px) {
     static const Mesh quad = quad_mesh();

@@ -1,5 +1,5 @@
-// "Why this pixel?": the chain of a pixel in sentences, in the order in which it happened, with the lines to draw in
-// the views. Every sentence is computed from the replayed frame. Read pixel_chain.h first.
+// "Why this pixel?": explains a pixel's chain in sentences, in drawing order, with lines to draw in the views. Every
+// sentence is computed from the replayed frame. Read pixel_chain.h first.
 #pragma once
 
 #include <functional>
@@ -55,8 +55,8 @@ struct WhyQuestion {
     std::span<const Problem> problems;  ///< of this state: each fix is tried at the pixel
     glm::ivec2 pixel;                   ///< inside the picture
     std::optional<Color> read_back{};   ///< the color in the buffer, if it is known
-    /// Runs the hidden-surface method for another state; without it, fixes whose state uses such a method are not
-    /// tried.
+    /// Runs the hidden-surface method for another state. If `solve` is empty, fixes whose state uses such a method are
+    /// not tried.
     std::function<HiddenPictures(const Params&, const Derived&)> solve{};
 };
 Why why(const WhyQuestion& question);
@@ -64,7 +64,7 @@ Why why(const WhyQuestion& question);
 /// Returns a row's sentence, which may span several lines in a view, as a single line.
 std::string on_one_line(std::string sentence);
 
-/// Returns the sentence, then one line per row, then an empty line.
+/// Returns a line with the pixel, a line with the sentence and the fault, one line per row, and an empty line.
 std::string why_as_text(const Why& why);
 
 // The parts of why(): why_rows.cpp and why_lights.cpp.

@@ -1,5 +1,5 @@
 // The rows about lights: what each light adds to a surface, or what blocks the light and how the shadow passes draw
-// that. Part of why.h.
+// the shadow. Part of why.h.
 #include <algorithm>
 
 #include "frame/say.h"
@@ -26,7 +26,7 @@ std::string begun(std::string sentence) {
     return sentence;
 }
 
-/// Says how a light reaches a surface of an object, or what it adds to a patch that no shadow darkens.
+/// Says what a light adds to a surface that no shadow darkens, or why it adds nothing.
 std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
     const std::string name = name_of_light(question, light);
     const auto share = std::find_if(surface.color.lights.begin(), surface.color.lights.end(),
@@ -43,7 +43,7 @@ std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std:
                "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
 
-/// Says which shadow passes darken the pixel for one light, and which caster's point S maps to it.
+/// Says which caster's point S maps to the pixel for one light, and how the shadow passes darken the pixel.
 std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
                             std::size_t light) {
     const Touch& first = *shadow.first;
@@ -94,7 +94,7 @@ std::string no_shadow_sentence(const WhyQuestion& question, const std::string& c
     return say("{caster} blocks {light}, but no pass draws its shadow here.", "caster"_a = caster, "light"_a = name);
 }
 
-/// Returns the eye as the world behind the pass's mirrors sees it.
+/// Returns the eye, reflected in each of the pass's mirrors.
 glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
     glm::dvec4 eye = question.derived.eye_world;
     for (const std::size_t mirror : pass.mirrors_met)
@@ -110,7 +110,7 @@ struct LightRow {
     std::string caster = "";
 };
 
-/// Says that a light reaches a patch, that casters darken the patch, or why they fail to.
+/// Says what a light adds to a patch, how a caster darkens the patch, or why the caster does not.
 LightRow row_of_patch(const Why& made, const WhyQuestion& question, const Touch& surface, std::size_t light) {
     const Pass& pass = question.plan.passes[surface.fragment.pass];
     const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, pass.plane, light, pass.mirrors_met);
@@ -143,7 +143,7 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
     return row;
 }
 
-/// Returns a light's position; for a parallel light, a point outside the scene, as seen from `point`.
+/// Returns a light's position; for a parallel light, a point outside the scene, in the light's direction from `point`.
 glm::dvec3 place_of_light(const WhyQuestion& question, const glm::dvec4& light_world, const glm::dvec3& point) {
     if (light_world.w != 0.0) return glm::dvec3(light_world) / light_world.w;
     return point + glm::normalize(glm::dvec3(light_world)) * glm::length(question.finder.scene().bounds_world.size());

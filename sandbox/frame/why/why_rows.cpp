@@ -27,7 +27,7 @@ DepthPrecision precision(const WhyQuestion& question) {
     return precision_of(question.plan.depth_format);
 }
 
-/// Returns the true matrix that maps the scene to its image behind these mirrors.
+/// Returns the matrix that maps the scene to its image behind these mirrors: the product of their R as uploaded.
 glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_t>& mirrors_met) {
     glm::dmat4 made(1.0);
     for (const std::size_t mirror : mirrors_met) made = made * derived.planes[mirror].mirrored_world_from_world;
@@ -69,7 +69,7 @@ std::string outcome(const WhyQuestion& question, const Touch& touch, const Touch
     return said;
 }
 
-/// Lists the fragments of one pass. Most of those that change nothing are only counted.
+/// Lists the fragments of one pass. After the first four, fragments that change nothing are only counted.
 std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*>& touches) {
     constexpr std::size_t most = 4;
     std::vector<std::string> said;
@@ -217,8 +217,8 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
 
 namespace {
 
-/// Returns the pixel where an image should be if that is not the explained pixel, because the image is drawn with a
-/// different lens or a wrong matrix.
+/// Returns the pixel where an image should be if that is not the explained pixel, because the picture in the mirror is
+/// drawn with a different lens.
 std::optional<glm::ivec2> pixel_elsewhere(const WhyQuestion& question, const glm::dvec3& image_world) {
     const glm::dvec4 clip = question.derived.clip_from_world * glm::dvec4(image_world, 1.0);
     if (!(clip.w > 0.0)) return std::nullopt;
@@ -330,8 +330,8 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
 
 void add_sample_row(Why& made, const WhyQuestion& question) {
     if (question.plan.samples == 0) return;
-    // GL's usual pattern places a pixel's four samples, given here in eighths of a pixel, at pixel centers of a picture
-    // four times as wide and four times as high.
+    // In GL's usual pattern, a pixel's four samples lie at pixel centers of a picture four times as wide and four times
+    // as high. `places` lists these pixels, counted from the top left of the large pixel.
     static constexpr glm::ivec2 places[] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
     std::vector<std::pair<std::string, int>> seen;
     for (const glm::ivec2& place : places) {
