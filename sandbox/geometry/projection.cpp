@@ -23,7 +23,7 @@ double depth_slope(const Lens& lens, DepthMapping mapping, double distance) {
     return lens.depth_per_inverse_distance() / (distance * distance);
 }
 
-/// Puts the limit for an infinite far into P's third row: clip z = a · eye z + b.
+/// Replaces P's third row, so that clip z = a · eye z + b.
 glm::dmat4 with_depth_row(glm::dmat4 p, double a, double b) {
     p[2][2] = a;
     p[3][2] = b;

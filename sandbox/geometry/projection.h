@@ -29,7 +29,7 @@ struct Lens {
     double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is rotated by 180°
     double height = 6.0;     ///< full vertical size in world units, orthographic only
     double near = 0.5;       ///< orthographic: may be 0 or negative, as in glOrtho
-    double far = 40.0;       ///< may be infinite: perspective only, without a logarithm
+    double far = 40.0;       ///< may be infinite in perspective, unless depth is logarithmic
     std::optional<Edges> window = {};  ///< perspective: at the near plane, as in glFrustum; orthographic: as in glOrtho
 
     /// Returns the picture's edges at an eye distance. A lens with an explicit window ignores `aspect` (width /
@@ -38,13 +38,13 @@ struct Lens {
     double reach = 100.0;  ///< the distance where pictures and charts end if far is infinite
 
     bool is_infinite() const { return std::isinf(far); }
-    /// Returns far or, if that is infinite, the distance to which pictures and charts show it.
+    /// Returns the distance at which pictures and charts end: far or, if far is infinite, `reach`.
     double shown_far() const { return is_infinite() ? reach : far; }
-    /// Returns f n / (f − n), which is n for an infinite f: window depth changes by this ÷ z² per unit of distance.
+    /// Returns f n / (f − n), which is n for an infinite f: window depth changes by this value ÷ z² per unit.
     double depth_per_inverse_distance() const { return is_infinite() ? near : far * near / (far - near); }
-    /// Returns the distance at which a logarithm ends: far or, if that is infinite, the largest finite far.
+    /// Returns the distance at which logarithmic depth ends: far or, if far is infinite, the largest finite far.
     double logarithmic_far() const { return is_infinite() ? 1e9 : far; }
-    /// Returns the least eye distance that a logarithm can start from: near or, if near ≤ 0, a millionth of far.
+    /// Returns the distance at which logarithmic depth starts: near or, if near ≤ 0, a millionth of far.
     double logarithmic_near() const { return near > 0.0 ? near : 1e-6 * far; }
     bool operator==(const Lens&) const = default;
 };
@@ -57,7 +57,7 @@ glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
 /// Returns the lens, with an explicit window, whose P equals this matrix up to a positive factor; none if there is no
-/// such lens. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far or
+/// such lens. `ndc_near`, `ndc_far`: the z ÷ w to which the matrix maps near and far. The lens may have near > far or
 /// near ≤ 0; if it is perspective, its window is at the nearer of the two. Entries up to `tolerance` count as 0.
 std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance);
 
@@ -86,8 +86,8 @@ struct DepthPrecision {
 double code_width(const DepthPrecision& precision, double window_depth);
 
 /// Returns the width in eye distance of one stored code at `distance` (Δz ≈ z² (f−n) / (f n (2^b − 1))); for a float
-/// format, the width of one unit in the last place there. The result is positive and finite, because a distance below
-/// `near` counts as `near`. Beyond `far`, the formula still applies.
+/// format, of one unit in the last place of the stored depth. The result is positive and finite, because a distance
+/// below `near` counts as `near`. Beyond `far`, the formula still applies.
 double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
 /// Returns depth_step, but for a float format at least half a unit in the last place of a float32 at `distance`: the
@@ -95,8 +95,8 @@ double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& 
 /// precision.
 double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
-/// Returns the full vertical angle in degrees with which a picture of this aspect ratio is as wide as one of
-/// `least_aspect` with the angle `fovy_deg`; `fovy_deg` itself if the picture is not narrower.
+/// Returns the full vertical angle, in degrees, that gives a picture of `aspect` the same horizontal angle as a picture
+/// of `least_aspect` and `fovy_deg`; `fovy_deg` itself if `aspect` is at least `least_aspect`.
 double widened_fovy(double fovy_deg, double aspect, double least_aspect);
 
 }  // namespace viewing

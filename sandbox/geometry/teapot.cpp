@@ -85,8 +85,8 @@ std::array<glm::dvec3, 4> quarter_ring(const Ring& ring, int quarter) {
     return points;
 }
 
-/// Returns half of a cross-section: on the side of negative y from point 1 to point 0, on the other side from point 0
-/// to point 1.
+/// Returns half of a cross-section: from point 1 to point 0 on the side of negative y, from point 0 to point 1 on the
+/// other side.
 std::array<glm::dvec3, 4> half_section(const Section& s, bool negative_side) {
     const double y = negative_side ? -s.half_width : s.half_width;
     const std::array<glm::dvec3, 4> points = {y_up(s.x0, 0.0, s.z0), y_up(s.x0, y, s.z0), y_up(s.x1, y, s.z1),
@@ -129,7 +129,7 @@ Weights bernstein(double t) {
     return {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
 }
 
-/// Returns the derivatives of these polynomials at t.
+/// Returns the derivatives of the cubic Bernstein polynomials at t.
 Weights bernstein_slope(double t) {
     const double s = 1.0 - t;
     return {-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t};
@@ -145,9 +145,9 @@ glm::dvec3 weighted_sum(const Patch& patch, const Weights& along, const Weights&
     return sum;
 }
 
-/// Returns the outward unit normal. At a pole, where all control points of a row coincide, ∂around vanishes. The mixed
-/// derivative replaces it there, because near the pole ∂around is nearly the mixed derivative times the distance from
-/// the pole.
+/// Returns the outward unit normal. At a pole, where all control points of a row coincide, ∂around vanishes, so the
+/// mixed derivative replaces it: near the pole, ∂around is nearly the mixed derivative times the distance from the
+/// pole.
 glm::dvec3 patch_normal(const Patch& patch, double u, double v) {
     const glm::dvec3 along = weighted_sum(patch, bernstein_slope(u), bernstein(v));
     glm::dvec3 around = weighted_sum(patch, bernstein(u), bernstein_slope(v));

@@ -1,4 +1,4 @@
-// A GL context without a display: only EGL, no X. By default, it uses a software renderer, so that pictures are
+// A GL context without a window system: only EGL, no X. By default, it uses a software renderer, so that pictures are
 // reproducible.
 #pragma once
 
@@ -25,8 +25,8 @@ std::vector<DeviceInfo> egl_devices();
 /// is made. Does not override GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH if the user has set them.
 void prefer_quick_start();
 
-/// Turns off the driver's shader cache if neither HOME nor a cache folder is set. Otherwise, the driver would look up a
-/// home folder by itself and write there. Call before the first context is made.
+/// If neither HOME nor a cache folder is set, turns off the driver's shader cache, since the driver would otherwise
+/// look up a home folder by itself and write there. Call before the first context is made.
 void keep_no_cache_without_a_home();
 
 /// Owns an OpenGL 3.3 core context without a surface, which is current after construction. Its EGL display is shared
@@ -35,7 +35,7 @@ class EglContext {
 public:
     /// Makes a context. `device` is "" for software (a device that reports itself as software, otherwise surfaceless
     /// with software forced), "auto" for the first hardware device that works (software if none does), or the index of
-    /// a device. Requests debug output. The error is one sentence that lists the devices and what failed on each.
+    /// a device. Requests debug output. The error says in one sentence that no such device exists, or what failed.
     static Result<EglContext> make(const std::string& device = "");
     /// Makes a context on the first software device; returns nothing if there is none. Does not change the environment,
     /// so any thread may call it.

@@ -75,7 +75,7 @@ Result<Program> make_program(std::string_view vertex_source, std::string_view fr
 /// Returns the driver's log of compiling and linking, without a newline at the end.
 std::string log_of(const Program& program);
 
-/// Features of this driver that are not in the common subset of GL 3.3 and WebGL 2; see gl/dialect.h.
+/// Features that some drivers lack, most of them beyond the common subset of GL 3.3 and WebGL 2; see gl/dialect.h.
 struct Capabilities {
     bool clip_control = false;
     bool clip_distance = false;

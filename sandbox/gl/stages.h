@@ -1,5 +1,5 @@
-// Programs with one stage each, combined into pipelines, so that several pipelines can share a vertex stage. Use them
-// only if Capabilities::shared_stages says that it pays off; otherwise no function here may be called.
+// Programs with one stage each, combined into pipelines, so that several pipelines can share a vertex stage. Call these
+// functions only if Capabilities::shared_stages is true.
 #pragma once
 
 #include "gl/objects.h"

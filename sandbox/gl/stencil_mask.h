@@ -19,7 +19,7 @@ public:
     GLuint draw_framebuffer() const { return drawing_.name(); }
     GLuint read_framebuffer() const { return reading_.name(); }  ///< the mask as attachment 0
 
-    void clear() const;          ///< sets it to 0 everywhere
+    void clear() const;          ///< sets the mask to 0 everywhere
     void keep_previous() const;  ///< copies the mask, so that a pass can test the copy while it changes the mask
     explicit operator bool() const { return static_cast<bool>(mask_); }
 

@@ -77,7 +77,7 @@ struct CompareReport {
     std::int64_t blocks = 0;          ///< blocks of pixels beyond the threshold, connected across eight neighbors
     std::int64_t largest_block = 0;   ///< number of pixels in the largest block
     int worst_found = 0;              ///< the largest difference in a channel, in levels
-    std::array<int, 2> worst_at{};    ///< x, y of the first pixel with this difference; 0, 0 if nothing differs
+    std::array<int, 2> worst_at{};    ///< x, y of the first pixel that differs by worst_found; 0, 0 if none differs
     std::vector<PixelBox> boxes;      ///< around the pixels beyond the threshold, most pixels first; at most 16
     std::int64_t boxes_left_out = 0;  ///< number of further boxes
     CompareOptions options;

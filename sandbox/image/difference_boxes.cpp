@@ -18,7 +18,7 @@ PixelBox around(const PixelBox& a, const PixelBox& b) {
             a.pixels + b.pixels};
 }
 
-/// Adds a box to a set in which no two boxes are near each other, and merges boxes until that is true again.
+/// Adds a box to a set in which no two boxes are near each other. Merges the new box with all boxes near it.
 void add_box(std::vector<PixelBox>& boxes, PixelBox box, int gap) {
     for (bool joined = true; joined;) {
         joined = false;

@@ -22,7 +22,7 @@ public:
     /// Returns the differences in row `y` in levels, at most `worst` for excused pixels; valid until the next call.
     std::span<const std::uint8_t> row(int y);
 
-    /// Returns the same row, but with the true differences on resampled edges.
+    /// Returns the row that row() computed last, but with the true differences on resampled edges.
     std::span<const std::uint8_t> as_found() const { return found_; }
 
 private:

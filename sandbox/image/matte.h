@@ -11,7 +11,7 @@ namespace viewing {
 /// are black and white.
 void remove_ground(const std::uint8_t* on_black, const std::uint8_t* on_white, std::uint8_t* rgba);
 
-/// Does the same for every pixel of two pictures of the same size, and multiplies its alpha by that of `on_black`.
+/// Calls remove_ground() for every pixel of two pictures of the same size. Multiplies each alpha by that of `on_black`.
 Image without_ground(const Image& on_black, const Image& on_white);
 
 }  // namespace viewing

@@ -122,8 +122,8 @@ int on_chunk(png_structp png, png_unknown_chunkp chunk) {
     return 1;
 }
 
-/// Reads everything before the pixels. `note` is null if the note was not requested. Skips, without reading them, all
-/// other chunks that are not part of the picture.
+/// Reads everything before the pixels. `note` is null if the note was not requested. Skips all other chunks that are
+/// not part of the picture, without reading them.
 bool read_header(const Reader& reader, ReadSource& source, FoundNote* note = nullptr) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_read_fn(reader.png, &source, read_bytes);

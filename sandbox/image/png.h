@@ -41,8 +41,8 @@ Result<std::string> read_png_note(const std::filesystem::path& path);
 /// Returns the bytes of a PNG file: RGB if every alpha is 255, otherwise RGBA. Favors speed over size: zlib level 1
 /// with only the SUB filter takes a fifth of libpng's default time, and the files are a third larger. Each side must be
 /// 1 … largest_image_side. `note` is UTF-8 stored with the picture; nothing is stored for "" or a note longer than
-/// max_document_bytes. `dpi` is the intended resolution on paper; the usual one is not stored, since readers assume it
-/// by default.
+/// max_document_bytes. `dpi` is the intended resolution on paper; usual_dpi is not stored, since readers assume it by
+/// default.
 std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "", double dpi = usual_dpi);
 
 /// Returns the bytes of a PNG file of 16-bit gray values, rows from the top; gray.size() = width · height.

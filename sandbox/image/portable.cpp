@@ -70,7 +70,7 @@ struct Displacement {
     double px = 0.0;      ///< how far the edge moved; never negative
     double net_px = 0.0;  ///< absolute value of the sum of a line's signed displacements: 0 if both sides shrank alike
     int step = 0;         ///< height of the edge, in levels
-    int least_range = 0;  ///< range of the profile in the picture where it is smaller
+    int least_range = 0;  ///< range of the profile in A or in B, whichever is smaller
 };
 
 /// Returns the displacement of an edge at the pixel, within edge_reach. The edge is the flank where the profile rises

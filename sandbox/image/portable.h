@@ -13,9 +13,9 @@ namespace viewing {
 
 /// Whether a pixel that differs by more than `worst` in a channel is on an edge drawn with different samples. This is
 /// the case if
-/// - both pictures have an edge there (the range of some channel in the surrounding 3 x 3 pixels is more than `worst`),
-/// - in each channel, its value in either picture is between those of its neighbors in the other picture, or outside by
-///   at most half of the edge's step (a line thinner than a pixel fades), and
+/// - both pictures have an edge at the pixel: in the 3 x 3 pixels around it, some channel varies by more than `worst`,
+/// - in each channel, the pixel's value in either picture is between its neighbors' values in the other picture, or
+///   outside them by at most half of the edge's step (a line thinner than a pixel fades), and
 /// - the edge has not moved by a pixel.
 /// (x, y) must be inside both pictures. The idea that an anti-aliased pixel is between its neighbors is from V.
 /// Vysniauskas, "Anti-aliased Pixel and Intensity Slope Detector", 2009; the test of how far the edge has moved is our

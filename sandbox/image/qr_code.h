@@ -1,4 +1,4 @@
-// QR codes, for a link on the screen that a room full of phones can scan. The program draws them; the page cannot.
+// QR codes, for a link on the screen that a room full of phones can scan. Only the desktop program can draw them.
 #pragma once
 
 #include <string_view>

@@ -11,7 +11,7 @@ namespace {
 
 using Pointer = Json::json_pointer;
 
-/// Checks that the lesson's document has that step, calls `edit` with the document, and reads the result as a lesson.
+/// Checks that the lesson's document has this step, calls `edit` with the document, and reads the result as a lesson.
 template <typename Edit>
 Result<std::string> edited(const LessonSource& source, std::size_t step, const Edit& edit) {
     return guarded([&] {
@@ -26,7 +26,7 @@ Result<std::string> edited(const LessonSource& source, std::size_t step, const E
     });
 }
 
-/// Does the same with one step.
+/// Like edited(), but calls `edit` with only this step of the document.
 template <typename Edit>
 Result<std::string> edited_step(const LessonSource& source, std::size_t step, const Edit& edit) {
     return edited(source, step, [&](Json& lesson) { edit(lesson["steps"][step]); });
@@ -63,7 +63,7 @@ public:
         const Pointer at(place);
         parts_.push_back({kind, number, place, step_.contains(at) ? sentence_in(step_[at], language_) : ""});
     }
-    /// Adds and returns whether a choice is right.
+    /// Adds a part that says whether a choice is right, and returns whether it is.
     bool mark(const std::string& choice, std::size_t number) {
         const bool is_right = step_[Pointer(choice)].is_object() && step_[Pointer(choice)].contains("right");
         parts_.push_back({StepPart::Kind::right, number, choice + "/right", is_right ? "true" : "false"});

@@ -1,7 +1,7 @@
 // Edits the text of a custom lesson: replaces parts that its author types in the window, and moves, duplicates or
-// removes steps or changes their state. Every function returns the whole new text of the file, which has been checked
-// by reading it as a lesson, or one sentence that begins with `source`. File names in its scenes are relative to the
-// folder.
+// removes steps or changes their state. Every edit returns the whole new text of the file, which has been checked by
+// reading it as a lesson, or one sentence that begins with the source's name. File names in the lesson's scenes are
+// relative to the source's folder.
 #pragma once
 
 #include <filesystem>
@@ -49,7 +49,7 @@ struct StepPart {
 std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, Language language);
 
 /// Replaces a part. Marking a choice as right unmarks the previous right choice, which gets the marked choice's "why".
-/// A sentence in only one language gets a second language beside it.
+/// If a plain string gets a text in another language, the string stays as the English text.
 Result<std::string> with_part(const LessonSource& source, std::size_t step, const StepPart& part, Language language);
 
 /// Moves a step; `to` is clamped to the list.
@@ -63,7 +63,7 @@ Result<std::string> with_choice(const LessonSource& source, std::size_t step);
 /// opening state.
 Result<std::string> with_start(const LessonSource& source, std::size_t step, const Params& params,
                                const std::string& preset);
-/// Makes a state the one that the answer shows: the reveal changes what differs from `start`.
+/// Makes `revealed` the state that the reveal shows: the reveal changes the fields that differ from `start`, except ui.
 Result<std::string> with_revealed(const LessonSource& source, std::size_t step, const Params& start,
                                   const Params& revealed);
 

@@ -29,7 +29,7 @@ constexpr std::size_t longest_variant = 8192;                 // bytes of a comb
 using form::Object;
 using Names = std::vector<std::string>;
 
-/// The lists that constants are picked from. The expressions of the file know the names.
+/// The lists from which constants take their values. Expressions in the file may use the constants' names.
 form::Form<Json> picks_form(LessonReading& reading) {
     const char* const what = "an object of names and lists of values";
     const auto values = form::list(form::value("a value", [](Json&) { return Json(true); }), "a list of values",
@@ -127,7 +127,7 @@ form::Form<Names> deployed_form(const LessonReading& reading) {
     return form::list(variant, "a list of variants", {most_entries, 1, "must have at least one variant"});
 }
 
-/// The part of the file that its combinations depend on.
+/// The members of an exercise file on which the combinations of values depend.
 Object<VariantsRead> combined_form(LessonReading& reading) {
     const auto is_valid_id = [](const std::string& id, const Where& where) {
         if (id.find_first_of("|,/") != std::string::npos) where.refuse("must not contain | , or /");

@@ -155,7 +155,7 @@ void push_value(lua_State* lua, const Json& value, const std::string& path) {
         push_list(lua, value, path);
 }
 
-/// Charges the value's conversion to JSON against the same limits, since a table may contain another table many times.
+/// Counts the value's conversion to JSON toward the expression's limits: a table may contain another table many times.
 void take(lua_State* lua, std::size_t bytes) {
     spend(lua, 1);
     Evaluation& evaluation = evaluation_of(lua);

@@ -10,7 +10,7 @@ namespace {
 using form::Object;
 using Names = std::vector<std::string>;
 
-/// A goal's numbers, which it shows beside the required ones.
+/// The numbers that a goal shows, each beside the value that it must reach.
 form::Form<std::vector<GoalNumber>> progress_form(const LessonReading& reading) {
     const auto number = Object<GoalNumber>()
                             .required("name", text_form(true), &GoalNumber::name)

@@ -19,7 +19,7 @@ constexpr std::size_t most_items = 200, most_numbers = 64, most_settings = 64;
 using form::Object;
 using Names = std::vector<std::string>;
 
-/// A text that nobody but people reads.
+/// A string of limited length, with no other requirement.
 form::Form<std::string> answer_text() {
     return form::text("a string", longest_answer);
 }
@@ -113,8 +113,8 @@ const T& changed_or_kept(const T& kept, const T& known, const T& now) {
     return now == known ? kept : now;
 }
 
-/// Merges a draft. A checked answer is no longer a draft in this window, but an answer entered meanwhile in another
-/// window is still one.
+/// Merges a draft. Checking an answer clears this window's draft, but not a draft that another window has stored in the
+/// meantime.
 template <typename T>
 const T& typed_last(const T& kept, const T& known, const T& now) {
     return now == T{} && kept != known ? kept : changed_or_kept(kept, known, now);
@@ -136,7 +136,7 @@ std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt
 }
 
 /// Merges the answers to one exercise from two windows. If the variants differ, this window's answers replace the
-/// file's only if it changed them.
+/// file's only if this window has changed them.
 HandInItem merged_item(HandInItem kept, const HandInItem& known, const HandInItem& now) {
     if (kept.variant != now.variant) return changed_or_kept(kept, known, now);
     kept.attempts = united(std::move(kept.attempts), now.attempts);

@@ -34,7 +34,7 @@ struct HandInItem {
     std::vector<Attempt> attempts;
     std::vector<ReplayStep> replay;
     std::optional<std::vector<double>> draft;  ///< entered but not checked yet; not graded
-    std::vector<std::string> draft_settings;   ///< the same for a goal
+    std::vector<std::string> draft_settings;   ///< for a goal: changes that are not checked yet
     bool operator==(const HandInItem&) const = default;
 };
 
@@ -74,8 +74,9 @@ bool are_same_settings(const std::vector<std::string>& a, const std::vector<std:
 
 /// Merges this window's answers with a student's file, which several windows may write. `kept` is the file's content,
 /// `known` is the content that this window last read or wrote (HandIn{} if it never did), and `now` has its current
-/// answers. Keeps every attempt from both, without duplicates, in chronological order. Drafts, replays and the name
-/// come from this window if it has changed them since then, otherwise from the file. Merging again changes nothing.
+/// answers. Keeps every attempt from `kept` and `now`, without duplicates, in chronological order. Drafts, replays and
+/// the name come from this window if it has changed them since `known`, otherwise from the file; if both have changed a
+/// replay, the longer one is kept. Merging again changes nothing.
 HandIn merged(const HandIn& kept, const HandIn& known, const HandIn& now);
 
 /// Merges the answers into the file under a lock. Returns the file's new content, or `now` if there is no file and

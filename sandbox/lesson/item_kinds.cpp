@@ -16,7 +16,7 @@ form::Form<std::vector<int>> items_form() {
 }
 
 void check_items(const std::vector<int>& items, const Ask& ask, const Where& where) {
-    for (std::size_t i = 0; i < items.size() && !ask.items.empty(); ++i)  // empty: they have a mistake
+    for (std::size_t i = 0; i < items.size() && !ask.items.empty(); ++i)  // none: they could not be read
         if (items[i] >= std::ssize(ask.items))
             where.at(i).refuse("must be a whole number from 0 to " + std::to_string(ask.items.size() - 1));
 }
@@ -44,7 +44,7 @@ void add_items(Object<LessonStep>& question, const LessonReading&) {
         .required("expect", expected_items_form(), expect);
 }
 
-/// Also reads the tiles' matrices.
+/// Reads the tiles and, if the file has them, their matrices.
 void add_items_and_factors(Object<LessonStep>& question, const LessonReading& reading) {
     add_items(question, reading);
     question.optional("factors", expressions_form(reading), in_ask(&Ask::factors))

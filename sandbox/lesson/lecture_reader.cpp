@@ -20,7 +20,7 @@ struct Shelves {
     PresetShelf presets = {};
     std::map<std::string, Lesson> lessons = {};
 
-    /// Returns one of the program's lessons by its id, or a file beside the lecture's.
+    /// Returns the program's lesson with this id, or the lesson in a file of this name in the lecture's folder.
     const Lesson* lesson(const std::string& name, const Where& where) {
         const auto known = lessons.find(name);
         if (known != lessons.end()) return &known->second;
@@ -36,7 +36,7 @@ struct Shelves {
 /// A part as it is read.
 struct PartRead {
     Lecture::Part part;
-    std::vector<LessonStep> steps;  ///< of the lesson, those that are chosen; empty: all
+    std::vector<LessonStep> steps;  ///< a preset's one step, or the chosen steps of `lesson`; empty: all of them
     const Lesson* lesson = nullptr;
     bool has_end = true;
 };
@@ -97,7 +97,7 @@ form::Form<PartRead> preset_part(Shelves& shelves) {
         step.names_lower_left = step.start.params.view.lower_left != usual.lower_left;
         step.names_lower_right = step.start.params.view.lower_right != usual.lower_right;
         step.slides = step.start.titles.slides;
-        step.start.preset = nullptr;  // its caption is part.say
+        step.start.preset = nullptr;  // the part's own sentence replaces the preset's caption
         step.revealed = step.start.params;
         return std::vector{step};
     };

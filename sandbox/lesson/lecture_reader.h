@@ -11,7 +11,7 @@ namespace viewing {
 /// Whether the document is a lecture; otherwise it must be a lesson.
 bool is_lecture(const Json& document);
 
-/// Reads as much as can be read. If no mistakes are collected, the lecture is complete.
+/// Reads as much of a lecture as can be read. The lecture is complete if `where` has collected no mistakes.
 Lesson read_lecture(const Json& document, const std::filesystem::path& folder, const Where& where);
 
 }  // namespace viewing

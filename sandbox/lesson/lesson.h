@@ -110,7 +110,7 @@ struct LessonStep {
     std::vector<int> slides;  ///< the slides that this step is about; by default, the lesson's
     LoadedState start;        ///< before the answer, including the layout
     Params revealed;          ///< after the answer: with a goal's model and the reveal's changes
-    bool names_lower_left = false, names_lower_right = false;  ///< in the layout; the stage shows no other lower views
+    bool names_lower_left = false, names_lower_right = false;  ///< false: not in the layout, so the stage hides it
     std::optional<LessonTarget> target;
     LessonText say;
     std::vector<std::string> cover, highlight;
@@ -166,7 +166,7 @@ struct Lesson {
     std::filesystem::path file;
     std::optional<Sheet> sheet = {};
     LessonEnd end = {};
-    std::optional<Lecture> lecture = {};  ///< its steps are then those of all parts, one after another
+    std::optional<Lecture> lecture = {};  ///< if set, `steps` has the steps of all its parts in order
 };
 
 /// The data that a list shows for a lesson.
@@ -177,7 +177,7 @@ struct LessonFile {
     int minutes = 0;
     int steps = 0;
     std::filesystem::path path;
-    std::string group = {};  ///< the topic above it in a list, as for presets; "" for none
+    std::string group = {};  ///< the topic under which lists show it, as for presets; "" for none
     struct Step {
         LessonText question;      ///< empty if it cannot be read
         std::vector<int> slides;  ///< its own, or the lesson's
@@ -199,7 +199,7 @@ Result<Lesson> load_lesson(const std::string& argument);
 /// Returns a sentence for each mistake in a lecture's file; the error says why it cannot be read at all.
 Result<std::vector<std::string>> lecture_mistakes(const std::string& argument);
 
-/// Return the JSON Schemas of their files.
+/// Return the JSON Schemas of lesson files and lecture files.
 std::string lesson_schema();
 std::string lecture_schema();
 
@@ -207,8 +207,8 @@ std::string lecture_schema();
 /// relative to `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// Returns all mistakes in such a text, each as parse_lesson() would report it; empty if it can be read. Omits mistakes
-/// that only follow from others.
+/// Returns all mistakes in the text of a lesson or a lecture, each as parse_lesson() would report it; empty if the text
+/// can be read. Omits mistakes that only follow from others.
 std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source,
                                          const std::filesystem::path& folder);
 

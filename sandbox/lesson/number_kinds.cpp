@@ -36,7 +36,7 @@ bool are_all(const std::vector<bool>& close) {
     return std::find(close.begin(), close.end(), false) == close.end();
 }
 
-/// Returns the factor for the entry whose right value is the largest; none if its right or its entered value is zero.
+/// Returns right ÷ entered for the entry whose right value is the largest; none if either of the two values is zero.
 std::optional<double> factor_at_largest(const std::vector<double>& typed, const std::vector<double>& right) {
     const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto at = static_cast<std::size_t>(std::max_element(right.begin(), right.end(), by_size) - right.begin());
@@ -50,8 +50,8 @@ bool are_close(const std::vector<double>& typed, const std::vector<double>& righ
     return factor && are_all(close_entries(typed, right, *factor, tolerance_of(ask, right)));
 }
 
-/// Returns the factor with which the most entries are right, or 1 if none is allowed. A factor other than 1 must fit at
-/// least two nonzero entries, since for a single entry some factor always fits.
+/// Returns the factor with which the most entries are right; 1 if the question allows no factor. A factor other than 1
+/// must fit at least two nonzero entries, since for a single entry some factor always fits.
 double best_factor(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
     const double tolerance = tolerance_of(ask, right);
     const auto fitting = [&](double factor) {
@@ -163,7 +163,7 @@ void add_expected(Object<LessonStep>& question, const LessonReading& reading) {
         .optional("up_to_factor", form::boolean(), in_ask(&Ask::up_to_factor));
 }
 
-/// Reads the number of rows and, for a matrix, of as many columns.
+/// Reads "size": the number of rows and, for a matrix, also of columns.
 void add_size(Object<LessonStep>& question, int most) {
     const auto set_size = [](LessonStep& step, int size) {
         step.ask.rows = size;

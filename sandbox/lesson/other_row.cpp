@@ -26,8 +26,8 @@ bool are_same(const glm::dvec4& a, const glm::dvec4& b) {
     return glm::length(a - b) <= 2.0 * tolerance || glm::length(a + b) <= 2.0 * tolerance;
 }
 
-/// Returns L_i from row i of S, whose off-diagonal entries are −L_i Π_j. None if they are not, if the whole row is 0,
-/// or if every Π_j with j ≠ i is 0.
+/// Returns L_i from row i of S, whose off-diagonal entries are −L_i Π_j. None if the entries do not have this form, if
+/// the whole row is 0, or if every Π_j with j ≠ i is 0.
 std::optional<double> light_at(const glm::dvec4& row, int index, const glm::dvec4& plane) {
     glm::dvec4 beside = plane, entries = row;
     beside[index] = entries[index] = 0.0;

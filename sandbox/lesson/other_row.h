@@ -23,8 +23,8 @@ std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, 
 
 /// Returns the light whose shadow matrix on this plane, which has a unit normal, has this row at `index` (counted from
 /// 0). The row determines L_i and Π·L. `others` gives the light's other numbers; if they give a different Π·L, one of
-/// the light's x, y, z is adapted, provided that only this one affects Π·L. None if there is no such light, and for a
-/// row of zeros.
+/// the light's x, y, z is adapted, provided that exactly one of them, apart from L_i, affects Π·L. None if there is no
+/// such light, and for a row of zeros.
 std::optional<glm::dvec4> light_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& plane,
                                               const glm::dvec4& others);
 
@@ -36,7 +36,7 @@ struct OtherRow {
 
 /// Finds, in the 4×4 matrix with these 16 numbers, the first row that is not among `right_rows` (counted from 1) and
 /// belongs to a plane other than `plane.equation` or, for S, to a light other than `light.position`. None if `expect`
-/// is neither R nor S of these.
+/// is neither the R nor the S of `plane.equation` and `light.position`.
 std::optional<OtherRow> other_row(const std::vector<double>& numbers, const std::vector<int>& right_rows,
                                   const std::string& expect, const Surroundings& surroundings);
 

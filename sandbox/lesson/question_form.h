@@ -1,4 +1,4 @@
-// Internal to lesson/: what the kinds of questions need to read theirs.
+// Internal to lesson/: functions with which each kind of question reads its members from a file.
 #pragma once
 
 #include "lesson/question_kind.h"
@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// Adds a step's question, which is read as one of its kind.
+/// Adds a step's question ("ask"); the question's kind decides which other members are read.
 void add_ask(form::Object<LessonStep>& step_form, const LessonReading& reading);
 
 /// The members that hold an example of a wrong answer. The last one counts if both are given.
@@ -20,7 +20,7 @@ auto in_ask(V Ask::*member) {
     return [member](LessonStep& step) -> V& { return step.ask.*member; };
 }
 
-/// Returns that member of the wrong answer that is being read.
+/// Returns an accessor for this member of the wrong answer that is being read.
 template <typename V>
 auto in_wrong(V WrongAnswer::*member) {
     return [member](LessonStep& step) -> V& { return step.ask.wrong.back().*member; };

@@ -1,4 +1,4 @@
-// The list of the question kinds' entries, and the form of a question as its kind reads it.
+// The list of the question kinds' entries, and the form of a question of each kind.
 #include "lesson/question_form.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Object<LessonStep> wrong_form(const QuestionKind& kind, const LessonReading& rea
         {"required": ["try"]}]})")});
 }
 
-/// The parts of a question that all kinds have. Without a kind, it has one that is not known.
+/// The parts of a question that all kinds have. `kind` is empty for a question whose kind is unknown.
 Object<LessonStep> question_form(std::optional<AskKind> kind) {
     auto kinds = form::choice<AskKind>(kind_names);
     if (kind) kinds.schema = [kind](Json&) { return Json{{"const", kind_names[static_cast<std::size_t>(*kind)]}}; };
@@ -52,7 +52,8 @@ Object<LessonStep> question_form(std::optional<AskKind> kind) {
         .optional("hints", form::list(text_form(false), "a list of strings", {9}), in_ask(&Ask::hints));
 }
 
-/// A question of one kind. Other kinds have further members, which are allowed but not read.
+/// A question of one kind. Members that only other kinds have are allowed but not read, except factors and shows_as,
+/// which are refused.
 Object<LessonStep> question_of(std::optional<AskKind> kind, const LessonReading& reading) {
     Object<LessonStep> question = question_form(kind);
     if (kind) {

@@ -1,6 +1,6 @@
-// A kind of question's entry, which says how it is read, judged and described. Each kind of VIEWING_QUESTION_KINDS has
-// one, in a source of its own or with its relatives: choice_kind.cpp, number_kinds.cpp, item_kinds.cpp, goal_kind.cpp.
-// ui/lesson/answer_input.h draws them.
+// The entry of a kind of question: how questions of this kind are read, judged and described. Every kind in
+// VIEWING_QUESTION_KINDS has an entry; related kinds share a file: choice_kind.cpp, number_kinds.cpp, item_kinds.cpp,
+// goal_kind.cpp. ui/lesson/answer_input.h draws the questions.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct QuestionKind {
     void (*read_wrong)(form::Object<LessonStep>& wrong);
     /// Whether the answer is right. Fails with an expression's error.
     Result<bool> (*is_right)(const Ask& ask, const Answer& answer, const Surroundings& surroundings);
-    /// Whether the answer equals a wrong answer's example; null if none is needed.
+    /// Whether the answer equals a wrong answer's example; null for kinds that never compare the two.
     bool (*are_same)(const Ask& ask, const Answer& answer, const Answer& sample) = nullptr;
     /// Says what is right about an answer that matches no known mistake; null if there is nothing to say.
     Verdict (*near)(const Ask& ask, const Answer& answer, const Surroundings& surroundings) = nullptr;
@@ -36,7 +36,7 @@ struct QuestionKind {
     bool is_typed = false;       ///< the answer is entered as numbers
     bool has_items = false;      ///< the answer consists of items that are chosen or put in order
     bool is_ordered = false;     ///< the order of these items counts
-    bool sorts = false;          ///< the answer always has all items, which are moved
+    bool sorts = false;          ///< the answer always has all items, and the user moves them
     bool needs_check = false;    ///< the answer is submitted with the Check button
 };
 

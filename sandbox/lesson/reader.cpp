@@ -78,7 +78,7 @@ LessonFile glance_at(const fs::path& path) {
     LessonFile file{path.stem().string(), {path.stem().string(), ""}, {}, 0, 0, path};
     const Result<std::string> text = read_text_file(path);
     if (!text) return file;
-    // The window begins with a list of all lessons, whose steps have the same forms.
+    // Make the forms only once: the window's start page reads every lesson's file in this way.
     static const form::Form<LessonText> question = text_form(false);
     static const Object<LessonFile> glance = Object<LessonFile>()
                                                  .optional("id", form::name(), &LessonFile::id)

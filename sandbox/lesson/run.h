@@ -1,5 +1,5 @@
-// One user's progress through a lesson: the step, the answers and the reveals. Independent of windows, and never
-// changes parameters; session/guide.h does that.
+// One user's progress through a lesson: the step, the answers and the reveals. Independent of windows. Never changes
+// parameters itself; session/guide.h changes them.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -37,8 +37,8 @@ public:
     void cover() { now().revealed = false; }
     void go_to(std::size_t step);
 
-    /// Returns the card that follows this step: after a lesson's last step, and between the parts of a lecture; null
-    /// if none does.
+    /// Returns the card that follows the last step of a lesson, or of a part of a lecture; null if no card follows this
+    /// step.
     const LessonEnd* end() const;
     /// Whether that card is shown instead of the step. go_to() hides it.
     bool shows_end() const { return shows_end_; }
@@ -60,7 +60,7 @@ public:
     void tell_trouble(std::string sentence) { now().trouble = std::move(sentence); }
     /// Returns, for each number to be entered, the typed text if it is not a number; otherwise an empty text.
     std::vector<std::string>& unread() { return now().unread; }
-    /// Returns the first of these texts that is not empty; "" if every number can be read.
+    /// Returns the first text in unread() that is not empty; "" if every number can be read.
     std::string first_unread() const;
     /// Whether this choice was checked and is wrong.
     bool is_tried(std::size_t choice) const;
@@ -68,7 +68,7 @@ public:
     std::optional<Params>& reached() { return now().reached; }
     const std::optional<Params>& reached() const { return now().reached; }
 
-    /// Returns the progress toward a goal, as text for each number of Ask::progress, and the state that was judged.
+    /// The progress toward a goal: a text for each number of Ask::progress, and the state that was judged.
     struct GoalProgress {
         std::optional<Params> at;
         std::vector<std::string> numbers;
@@ -76,8 +76,7 @@ public:
     GoalProgress& progress() { return now().progress; }
     const GoalProgress& progress() const { return now().progress; }
 
-    /// Returns the products of the tiles' factors, from left to right, with the state and the tiles that they belong
-    /// to.
+    /// The products of the tiles' factors, from left to right, with the state and the tiles that they belong to.
     struct Products {
         std::optional<Params> at;
         std::vector<int> items;
@@ -91,7 +90,7 @@ public:
     /// Returns the right answer of a typed question, once it has been computed after the reveal.
     std::optional<Answer>& model() { return now().model; }
 
-    /// Returns what the reveal says, with its numbers once take_reveal() has them.
+    /// Returns what the reveal says, with its numbers filled in once take_reveal() has been called.
     const LessonText& reveal_say() const { return now().reveal_say.empty() ? step().reveal.say : now().reveal_say; }
     /// Whether the reveal's numbers are still to be filled in.
     bool wants_reveal() const { return now().reveal_say.empty() && has_places(step().reveal.say); }

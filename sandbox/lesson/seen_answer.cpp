@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// A number as it is shown, or an item.
+/// A number or an item, as the window shows it.
 struct Token {
     std::string text;
     std::string place;

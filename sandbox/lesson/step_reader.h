@@ -1,4 +1,4 @@
-// Internal to lesson/: the form of a step, and what its parts need to know.
+// Internal to lesson/: the form of a step, the forms of its parts, and the data that they share while a file is read.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ private:
 struct LessonReading {
     std::filesystem::path folder;  ///< file names in scenes are relative to it
     PresetShelf presets = {};
-    /// The step's own names for its expressions; none while they are not known, so that no expression is checked.
+    /// The names that a step defines for its expressions; none if they cannot be read; then no expression is checked.
     std::optional<std::vector<std::string>> constants = std::vector<std::string>();
 };
 
@@ -35,7 +35,7 @@ LoadedState read_start(const Json* state, LessonReading& reading, const Where& w
 
 form::Form<LessonStep> step_form(LessonReading& reading);
 
-/// An expression, a number or a list of numbers, or a list of these. They use only known names and the constants.
+/// An expression, a number or a list of numbers, or a list of these. An expression uses only known names and constants.
 form::Form<std::string> expression_form(const LessonReading& reading);
 form::Form<std::vector<std::string>> expressions_form(const LessonReading& reading);
 

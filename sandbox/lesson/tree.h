@@ -14,7 +14,7 @@ bool has(const Json& object, const char* key);
 
 std::vector<std::string> keys_of(const Json& object);
 
-/// A string, or {"en": …, "ko": …}. A text that is needed has English words.
+/// A string, or {"en": …, "ko": …}. If `is_needed`, the English text must not be empty.
 form::Form<LessonText> text_form(bool is_needed);
 
 form::Form<std::vector<std::string>> names_form();

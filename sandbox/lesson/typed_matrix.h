@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// Refuses a number of factors other than that of the tiles, and an unknown field that shows the matrix.
+/// Refuses a list of factors without exactly one for each tile, and a `shows_as` that names an unknown field.
 void check_shown_matrix(const Ask& ask, const Where& where);
 
 /// Returns the matrix with these 16 numbers, given row by row.
@@ -26,10 +26,10 @@ Result<std::vector<glm::dmat4>> products_of(const Ask& ask, const std::vector<in
 /// Returns the start of a step, but with a shadow that is also visible beyond the edge of the plane.
 LoadedState with_right_matrix(const LessonStep& step);
 
-/// Returns the same start with the matrix as the value of the field that shows the answer (Ask::shows_as), or with the
-/// camera that has it as its C or V. If the question allows any factor, chooses the sign for which points near the
-/// origin get w > 0 and so stay in front of the eye. Fails if the field refuses the numbers, or if no camera has the
-/// matrix.
+/// Returns with_right_matrix() with this matrix in the field that shows the answer (Ask::shows_as), or the step's start
+/// with the camera whose C or V is this matrix. If the question allows any factor, chooses the sign for which points
+/// near the origin get w > 0 and so stay in front of the eye. Fails if the field refuses the numbers, or if no camera
+/// has the matrix.
 Result<LoadedState> with_typed_matrix(const LessonStep& step, const glm::dmat4& matrix);
 
 }  // namespace viewing

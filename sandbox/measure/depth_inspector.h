@@ -29,8 +29,8 @@ public:
     }
 
     /// Reads the data that are needed and not known yet. `frame` is the camera view's plan, without overdraw or
-    /// difference. With `at_once`, waits for GL. Otherwise, another pixel of a picture that was already read may arrive
-    /// a few calls later, unless its block of cells is needed; until then, the data stay unchanged.
+    /// difference. With `at_once`, waits for GL. Otherwise, if the picture has been read before and no block of cells
+    /// is needed, the pixel may arrive a few calls later; until then, the data stay unchanged.
     Status update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
                   const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes, bool at_once = true);
 
@@ -39,11 +39,11 @@ public:
     /// Returns the scene's fragment finder, made once for each version of the scene.
     const FragmentFinder& finder(const Scene& scene, int scene_version);
 
-    /// Returns one more pixel of the same picture, for the status bar.
+    /// Returns another pixel of the current picture, for the status bar.
     Result<PixelReport> at(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                            glm::ivec2 size_px, glm::ivec2 pixel);
 
-    /// Does the same without waiting; call it once a frame. Returns the latest pixel that is known for this picture, or
+    /// Like at(), but does not wait; call it once a frame. Returns the latest pixel that is known for this picture, or
     /// nothing while the picture changes from frame to frame.
     Result<std::optional<PixelReport>> follow(Renderer& renderer, const FramePlan& frame, const Scene& scene,
                                               const Derived& derived, glm::ivec2 size_px, glm::ivec2 pixel);

@@ -1,7 +1,7 @@
 // Keeps the numbers of the depth fighting view up to date without blocking the window. GL draws the pictures while
 // nothing is being dragged, a background thread computes exact visibility, and the search for the smallest gap draws a
-// few pictures per frame. Then the counter counts everything again with each cure, and from jittered cameras. See
-// fighting_measure.h for the counts.
+// few pictures per frame. Then the counter counts everything again with each cure (frame/depth/cures.h) applied, and
+// from jittered cameras. See fighting_measure.h for the counts.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace viewing {
 
 class FightingCounter {
 public:
-    /// Returns the report so far; null while there is none. Its predictions belong to this state; its counts are marked
-    /// if they belong to an earlier one. With `may_wait`, counts everything before it returns; otherwise, work starts
+    /// Returns the report so far; null while there is none. Its predictions belong to `state`; counts_are_behind marks
+    /// counts from an earlier state. With `may_wait`, counts everything before it returns; otherwise, work starts
     /// and continues only while nothing moves.
     std::shared_ptr<const FightingReport> update(Renderer& renderer, const Params& state, const Scene& scene,
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
@@ -46,7 +46,7 @@ private:
     bool has_more_pictures() const { return picture_ < cure_count() + spread_cameras; }
 
     std::optional<Question> asked_, predicted_;
-    Derived derived_;  ///< for the question
+    Derived derived_;  ///< for asked_
     std::shared_ptr<FightingReport> report_;
     BackgroundTask<FightingCounts> task_;
     std::optional<MinimumGapSearch> search_;

@@ -11,21 +11,21 @@
 
 namespace viewing {
 
-/// Returns the part of the state that the counts depend on, with defaults for the rest, so that GL, with its depth
-/// buffer, draws all objects completely and nothing else.
+/// Returns the part of the state that the counts depend on, with defaults for the rest, so that GL draws all objects
+/// completely, with its depth buffer, and nothing else.
 Params counted_params(const Params& state);
 
 /// Returns the picture that GL draws, as the index of the object at each pixel.
 Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px);
 
-/// Counts these pairs, usually near_coplanar_pairs(scene), in a picture from objects_by_gl() of the same state, by
-/// casting rays. Needs no GL, so it can run in a thread. The error says that the scene is too large, or that the work
-/// was canceled.
+/// Counts the wrong pixels of these pairs, usually near_coplanar_pairs(scene), and elsewhere, by casting rays. `drawn`
+/// is the picture from objects_by_gl() for the same state. Needs no GL, so it can run in a thread. The error says that
+/// the scene is too large, or that the work was canceled.
 Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
                                    std::span<const FlatPair> pairs, WorkProgress* progress = nullptr);
 
-/// Does both: draws only the scene's objects, with the state's depth buffer whatever the state's hidden-surface method
-/// is, and counts. The error comes from GL or from count_wrong().
+/// Calls objects_by_gl() and then count_wrong(). GL draws with the state's depth buffer, whatever the state's
+/// hidden-surface method is. The error comes from GL or from count_wrong().
 Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
                                       std::span<const FlatPair> pairs, glm::ivec2 size_px,
                                       WorkProgress* progress = nullptr);

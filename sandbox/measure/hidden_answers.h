@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Adds the difference if the answer lacks it; otherwise does nothing.
+/// Adds the difference between the two methods' pictures, if the question compares two and the answer lacks it.
 Status complete_difference(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                            HiddenAnswer& answer);
 

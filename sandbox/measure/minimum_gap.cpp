@@ -70,9 +70,9 @@ struct MinimumGapSearch::Implementation {
         sine = std::min(std::sin(glm::radians(most_turned_deg)), 0.2 * room / half_side(lens, found.distance));
         found.predicted = fighting_onset(coding, found.distance, 2.0 * half_side(lens, found.distance) * sine);
         gap = std::min(found.predicted.gap(), room);
-        // Rounding varies with the position. The positions are many units in the last place apart and, if codes are as
-        // narrow as float32's steps, at different points within a code. If codes are wide, the pair stays within its
-        // code.
+        // Rounding varies with the position, so try several, many units in the last place apart. If codes are as narrow
+        // as float32's steps, the positions are also at different points within a code; if codes are wide, the pair
+        // stays within its code.
         const double code = found.predicted.quantisation;  // 0 where a float's steps are finer than a double's
         const bool is_fine = coding.precision.is_float || coding.precision.bits >= 24;
         const bool is_narrow = is_fine && code > 0.0 && code < widest_narrow_code * found.distance;
@@ -136,7 +136,7 @@ struct MinimumGapSearch::Implementation {
         return made;
     }
 
-    /// Draws the next picture. Returns whether no pixel is wrong.
+    /// Draws the next picture. Returns whether it shows the pair without a wrong pixel.
     Result<bool> is_told_apart(Renderer& renderer, WorkProgress* progress) {
         const double distance = found.distance - shifts[next_picture / 2];
         Scene scene;

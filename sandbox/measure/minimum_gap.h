@@ -10,10 +10,10 @@
 
 namespace viewing {
 
-/// Searches with GL, using the state's lens, depth format, mapping, test, function and mask; ignores its offset, its
-/// scene, and whether it clears correctly. The pair is placed where depth resolution is coarsest: at the far end of the
-/// interval that one code covers, close to `distance`. A gap is wide enough if no pixel is wrong, whichever quad is
-/// drawn first. Draws one picture per step, so that a window can do other work in between.
+/// Searches with GL, using the state's lens, depth format, mapping, test, function and mask; ignores the state's depth
+/// offset and scene, and whether it clears depth correctly. The pair is placed where depth resolution is coarsest: at
+/// the far end of the interval that one code covers, close to `distance`. A gap is wide enough if no pixel is wrong,
+/// whichever quad is drawn first. Draws one picture per step, so that a window can do other work in between.
 class MinimumGapSearch {
 public:
     MinimumGapSearch(const Renderer& renderer, const Params& state, double distance);

@@ -27,13 +27,13 @@ FramePlan until_image(FramePlan frame) {
     frame.passes.erase(after, frame.passes.end());
     if (frame.passes.empty() || !frame.passes.back().is_mirror_image) {
         frame.passes.clear();
-    } else if (!frame.passes.back().stencil.test) {  // no stencil bit separates its pixels from those of other passes
+    } else if (!frame.passes.back().stencil.test) {  // no stencil bit marks the image's own pixels
         std::erase_if(frame.passes, [](const Pass& pass) { return !pass.is_mirror_image; });
     }
     return frame;
 }
 
-/// Reads the depths that the image writes inside its mask.
+/// Reads the depths that the first mirror image writes inside its stencil mask.
 Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& whole, const Scene& scene,
                    glm::ivec2 size_px, MirrorWayReport& report) {
     const FramePlan frame = until_image(whole);

@@ -35,9 +35,10 @@ struct FileBytes {
     std::span<const std::uint8_t> bytes;
 };
 
-/// Writes all files or none. All of them are complete before the first one gets its name. If one cannot get its name,
-/// the earlier ones lose theirs again; on a file system that cannot exchange names, those that have already replaced a
-/// file keep theirs. `before_names` runs between the two stages; if it throws, no file is written.
+/// Writes all files or none. First writes every file completely under a temporary name (a device or pipe directly),
+/// then calls `before_names`, then gives the files their names. If `before_names` throws, no file gets its name. If a
+/// file cannot get its name, the earlier ones are undone; on a file system that cannot exchange names, a file that has
+/// already been replaced stays replaced.
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
 
 /// Copies the content of one file to another in the same way as write_file().
@@ -53,7 +54,8 @@ std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
 /// Its length does not depend on the file's name, which may be as long as the file system allows.
 std::filesystem::path name_beside(const std::filesystem::path& file);
 
-/// Returns the files in a folder that have such names. A program that ended while it was writing left them behind.
+/// Returns the files in a folder whose names are from name_beside(). A program that ended while writing left them
+/// behind.
 std::vector<std::filesystem::path> unfinished_files_in(const std::filesystem::path& folder);
 
 /// Whether a file or folder with this name exists; false if that cannot be determined.

@@ -13,8 +13,8 @@ void reserve_heap();
 /// that draws thousands of pictures: such blocks would otherwise fragment its heap until the next one no longer fits.
 void give_large_blocks_back();
 
-/// Turns the untouched part of the reserve into 2 MB pages, if the system provides them on request, one after another
-/// as long as none takes longer than `longest`. Making a picture then takes a tenth less time from start to finish.
+/// Turns the untouched part of the reserve into 2 MB pages, one after another, until a page takes longer than `longest`
+/// or the system refuses one. Making a picture then takes a tenth less time from start to finish.
 /// Processors clear a page in 40 to 300 µs. A virtual machine whose host must first find the memory takes 5 ms, which
 /// is more than a page saves, so on such a machine the first page is also the last one. Call before the first driver is
 /// loaded; later calls do nothing.

@@ -11,7 +11,7 @@ namespace viewing {
 
 /// While an object of this class exists, other processes and threads have to wait before they can lock the folder.
 /// Creates the folder if it is missing. If the folder cannot be locked, or a stopped process has held the lock for ten
-/// seconds, the caller continues without a lock, which loses less than not writing at all. In a browser, nothing is
+/// seconds, the caller continues without a lock, because not writing at all would lose more. In a browser, nothing is
 /// locked; the page merges changes by other tabs (kept.js).
 class FolderLock {
 public:

@@ -57,8 +57,8 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
     return get(platform, native, nullptr);
 }
 
-/// Counts contexts per display. A device has only one display per process, however often it is requested, and the last
-/// context must terminate it.
+/// Counts contexts per display. A device has only one display per process, however often it is requested, and only the
+/// last context on the display may terminate it.
 struct DisplayUse {
     std::mutex mutex;
     std::map<EGLDisplay, int> contexts;
@@ -96,7 +96,7 @@ std::string egl_error() {
     return code >= 0 && code < static_cast<EGLint>(std::size(names)) ? names[code] : "an unknown error";
 }
 
-/// Adds the step that failed on a display to the list `refused`, unless that is null.
+/// Appends what failed on a display, and the EGL error, to `refused`, unless `refused` is null.
 void note(std::string* refused, const std::string& description, const char* what) {
     const std::string why = egl_error();
     if (refused == nullptr) return;

@@ -52,7 +52,7 @@ namespace {
 std::deque<std::function<void()>> waiting;
 bool is_running = false;  ///< some work has begun, and may be suspended
 
-/// Runs all waiting work; if it can be suspended, on its own stack.
+/// Runs all waiting work, on its own stack if the browser can suspend WebAssembly.
 void run_waiting() {
     is_at_work = true;
     slice_began_ms = emscripten_get_now();
