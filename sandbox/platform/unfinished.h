@@ -8,12 +8,12 @@
 
 namespace viewing {
 
-/// Between these two calls, remove_unfinished_files() (file.h) removes `beside`, a file or a folder with its contents.
-/// The string in `beside` must not move during that time.
+/// Register `beside`, a file or a folder, and end its registration. In between, remove_unfinished_files() (file.h)
+/// removes it with its contents, and the string in `beside` must not move.
 void note_unfinished(const std::filesystem::path& beside);
 void forget_unfinished(const std::filesystem::path& beside);
 
-/// Exchanges two names. Returns false if the file system does not support that.
+/// Exchanges the names of two files or folders. Returns false if that fails, as on a file system without support.
 bool exchange_names(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Returns the folder part of a name; "." if there is none.

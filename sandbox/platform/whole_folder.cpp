@@ -104,7 +104,7 @@ Status WholeFolder::take_name() {
     struct stat old {};
     const bool replaces = ::stat(own.target.c_str(), &old) == 0;
     if (replaces) ::chmod(own.beside.c_str(), old.st_mode & 07777U);
-    // After the exchange, the old folder has the temporary name and is removed under it.
+    // After an exchange, the old folder has the temporary name, and ~Growing() removes it.
     if (!replaces || !exchange_names(own.beside, own.target)) {
         std::error_code error;
         if (replaces) fs::remove_all(own.target, error);

@@ -14,8 +14,8 @@ namespace viewing {
 using IsOwnResult = std::function<bool(const std::filesystem::path&)>;
 
 /// Checks that a folder with this name can be written: it does not exist, is empty, or contains nothing but the
-/// program's own results. Follows links. The error names the first foreign entry, or says why such a folder cannot
-/// exist. Without `is_own`, only a new or empty folder is accepted.
+/// program's own results. Follows links. The error names the first foreign entry, or says why the folder cannot be
+/// used. Without `is_own`, only a new or empty folder is accepted.
 Status check_folder_free(const std::filesystem::path& target, const IsOwnResult& is_own = {});
 
 class WholeFolder {

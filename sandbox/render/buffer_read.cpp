@@ -169,7 +169,7 @@ void BufferReader::ask(const View& view, glm::ivec2 pixel) {
     asked_ = Asked{pixel, gl::Fence::after_all_so_far(), {}};
 }
 
-/// Copies color, depth, stencil and identity into the buffer, one after another.
+/// Starts copying color, depth, stencil and identity into `copied_`, one after another.
 void BufferReader::copy(const View& view, const View& identities) {
     if (!copied_) copied_ = gl::make_buffer();
     glBindBuffer(GL_PIXEL_PACK_BUFFER, copied_.name());

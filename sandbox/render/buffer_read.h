@@ -35,7 +35,7 @@ struct ReadPixel {
 /// top.
 ///
 /// If GL cannot read depth and stencil, this class draws them into a color buffer, depth as the bytes of a float32.
-/// That is exact, except that a 24-bit code may be off by one.
+/// The values read are exact, except that a 24-bit code may be off by one.
 class BufferReader {
 public:
     /// `capabilities` are those of the renderer that drew the views.
@@ -49,8 +49,8 @@ public:
     /// or from 0 to 1. For a view with multisampling, which cannot be read, the counts are empty.
     DepthCounts count_depths(const View& view, const FramePlan& plan);
 
-    /// Requests a pixel without waiting; drops an earlier request that has not arrived. The views must not change until
-    /// the pixel has arrived.
+    /// Requests a pixel without waiting; drops an earlier request whose pixel has not arrived. The views must not
+    /// change until the pixel has arrived.
     void ask(const View& view, glm::ivec2 pixel);
     bool is_asked() const { return asked_.has_value(); }
     /// Returns the requested pixel once, as soon as it has arrived. Never waits.
@@ -90,7 +90,7 @@ private:
     std::optional<Asked> asked_;
     gl::Buffer copied_;                   ///< four bytes each for color, depth, stencil, identity
     std::vector<std::uint32_t> depths_;   ///< as read: codes of 16 or 24 bits, or bits of floats; rows from the bottom
-    std::vector<std::uint8_t> stencils_;  ///< in the same order
+    std::vector<std::uint8_t> stencils_;  ///< rows from the bottom
 };
 
 }  // namespace viewing

@@ -45,7 +45,7 @@ public:
         return columns - passed();
     }
 
-    /// Returns the number of steps by which `units` of polygon offset move a plane at that depth, at most 64.
+    /// Returns how many steps, at most 64, `units` of polygon offset move a plane at window depth `depth`.
     int moved(double depth, double step, float units) const {
         begin();
         glEnable(GL_POLYGON_OFFSET_FILL);

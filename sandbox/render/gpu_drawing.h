@@ -1,4 +1,4 @@
-// The results of hidden-surface methods on the GPU: uploaded once and kept as long as a frame refers to them.
+// GPU copies of the results of hidden-surface methods: uploaded once and kept as long as a frame refers to them.
 #pragma once
 
 #include <array>

@@ -36,7 +36,7 @@ GpuMesh upload(const Mesh& mesh) {
 
 const GpuMesh& GpuMeshes::of(const std::shared_ptr<const Mesh>& mesh) {
     Entry& entry = entries_[mesh.get()];
-    if (entry.source.lock() != mesh) entry = {mesh, upload(*mesh)};  // new, possibly at a freed address
+    if (entry.source.lock() != mesh) entry = {mesh, upload(*mesh)};  // a new mesh, possibly at a freed address
     return entry.mesh;
 }
 

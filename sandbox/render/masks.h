@@ -15,7 +15,7 @@ namespace viewing {
 /// plan() never lets a pass test the stencil in a multisampled 16-bit frame.
 struct MaskUse {
     bool tests = false;   ///< fragments are discarded if the comparison fails
-    bool writes = false;  ///< writes to the mask the value that the stencil would get
+    bool writes = false;  ///< fragments write to the mask what the stencil would get
     bool fills = false;   ///< fill_changed() draws the color afterward
 };
 MaskUse mask_use(const Pass& pass, const gl::Target& target);
@@ -23,8 +23,8 @@ MaskUse mask_use(const Pass& pass, const gl::Target& target);
 /// Binds the framebuffer for the pass, and the mask to compare with. Call after apply_state().
 void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target);
 
-/// Sets the stencil test that the shader emulates. `program` must be current; if it does not use the mask, this does
-/// nothing.
+/// Sets the stencil test that the shader emulates. `program` must be current; a program that does not use the mask is
+/// left unchanged.
 void set_mask(const SurfaceProgram& program, const StencilState& stencil, int reference);
 
 /// Draws the pass's single color over the pixels whose mask it has changed.

@@ -17,7 +17,7 @@ public:
     /// Reports a pixel, which must be inside the prepared size; `scene` must be the prepared one.
     PixelReport at(glm::ivec2 pixel, const Scene& scene) const;
 
-    /// Does the same without waiting: take() returns the report for the latest request once, as soon as it has arrived.
+    /// Requests a report without waiting. take() returns the latest requested report a single time, once it is ready.
     void ask(glm::ivec2 pixel);
     bool is_asked() const { return asked_.has_value(); }
     std::optional<PixelReport> take(const Scene& scene);

@@ -1,4 +1,4 @@
-// The sandbox's GL programs with their uniforms, compiled on first use. See uniforms.h for the tables.
+// The sandbox's GL programs with their uniforms, compiled on first use. See uniforms.h for the tables of uniforms.
 #pragma once
 
 #include <compare>

@@ -108,7 +108,7 @@ void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& 
     set_placement(program, frame, pass, glm::translate(glm::dmat4(1.0), hidden->origin_world));
     set_turned_normals(program, pass);
     glDisable(GL_CULL_FACE);         // the method has already culled; this triangle only shows its result
-    if (capabilities.clip_distance)  // and the shader has its own clipping
+    if (capabilities.clip_distance)  // the shader discards clipped points itself
         for (std::size_t plane = 0; plane < most_clip_planes; ++plane)
             glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane));
     presenter.fullscreen().draw(program);
@@ -232,7 +232,7 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
         const Pass& planned = plan.passes[index];
         const int first_call = next_call;
         next_call += call_count(planned, scene);
-        if (identify && planned.is_mirror_image) continue;  // instead of the image, identify the mirror itself
+        if (identify && planned.is_mirror_image) continue;  // pixels in a mirror get the identity of the mirror
         std::optional<Pass> cheaper;
         if (cuts_in_vain(frame, planned)) cheaper.emplace(planned).clip_planes.clear();
         if (!tests.empty() && tests[index] != planned.stencil)
@@ -296,8 +296,8 @@ Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& 
     meshes.drop_unused();
     drawings.drop_unused();
 
-    // A frame that does not clear depth starts with the depth of the previous frame; the first such frame has no
-    // previous one and is drawn twice.
+    // A frame that does not clear depth starts with the depth of the previous frame. A fresh target has no previous
+    // frame, so its first frame is drawn twice.
     if (fresh && !plan.clears_depth())
         if (Status drawn = draw_passes(plan, scene, view.target_, true, identify); !drawn) return drawn;
     return draw_passes(plan, scene, view.target_, plan.clears_depth(), identify);

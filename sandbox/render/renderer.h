@@ -43,7 +43,8 @@ public:
     /// not measured.
     Viewport viewport(glm::ivec2 size_px) const;
     Viewport viewport(glm::ivec2 size_px, DepthFormat measured) const;
-    /// Does the same, but measures only if something depends on the result (depends_on_stored_depth).
+    /// Returns the viewport for the format in `params`; measures only if something depends on the precision
+    /// (depends_on_stored_depth).
     Viewport viewport(glm::ivec2 size_px, const Params& params, const Scene& scene) const;
 
     /// Draws the plan into the view, after resizing the view to `size_px`.
@@ -60,8 +61,8 @@ public:
     static constexpr int patch_identity = 255 * 256;
 
     /// Draws the plan's hidden surfaces in order, without anything else in the scene. Returns for each pixel the
-    /// visible polygon, as its Polygon::source. There may be at most 2^24 − 1 polygons. The depths of the image remain
-    /// those of an empty picture.
+    /// visible polygon, as its Polygon::source. There may be at most 2^24 − 1 polygons. The depths of the image are not
+    /// set: all are infinite.
     Result<IdImage> read_polygon_ids(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
 private:

@@ -16,7 +16,7 @@ std::array<glm::dvec4, 8> corners_of(const Bounds& box) {
 }
 
 /// Whether all corners are on the negative side of the plane, by more than rounding in single precision can explain.
-/// The sum is linear in the corner, so the whole box is then on that side, whatever the values of w.
+/// The dot product is linear in the corner, so the whole box is then on that side, even if w changes sign in it.
 bool are_beyond(const std::array<glm::dvec4, 8>& corners, const glm::dvec4& plane) {
     constexpr double rounding = 1e-5;
     return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec4& corner) {

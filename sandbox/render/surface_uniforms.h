@@ -41,8 +41,8 @@ void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const 
 void set_placement(const SurfaceProgram& program, const FrameState& frame, const Pass& pass,
                    const glm::dmat4& world_from_model);
 
-/// Sets the normal matrix for surface points that a method found: their normals already point toward the eye, but a
-/// mirror's cofactors would flip them.
+/// Sets the normal matrix for surface points that a hidden-surface method found. Their normals already point toward the
+/// eye, but the cofactors of a mirror's matrix would flip them.
 void set_turned_normals(const SurfaceProgram& program, const Pass& pass);
 
 /// Sets the polygon offset, which either GL or the fragment shader applies.

@@ -42,7 +42,7 @@ public:
     void take(const gl::Program& vertex, gl::Program fragment);  ///< `vertex` must outlive this object
     void use() const { pipeline_ ? gl::use(pipeline_) : glUseProgram(program_.name()); }
 
-    /// Returns the programs that have its uniforms: the linked program, or its stages.
+    /// Returns the GL programs that contain the uniforms: the linked program, or the two stages.
     std::vector<GLuint> programs() const;
     const std::vector<UniformEntry>& uniforms() const { return uniforms_; }
 

@@ -10,7 +10,7 @@ namespace viewing {
 
 struct ExercisePicture {
     Lesson lesson;  ///< a sheet with only this exercise
-    Params params;  ///< at its start; for a goal, after the changes of the latest attempt
+    Params params;  ///< at the exercise's start; for a goal, after the changes of the latest attempt
 };
 
 /// Makes the picture of one exercise. `exercise` is the id of a built-in exercise, or its short form. The error says

@@ -1,5 +1,5 @@
-// Judges hand-ins again, using only the student's number, the answers and the changes. Each hand-in has its own budget,
-// so that none of them delays a whole class. Read lesson/hand_in.h for the file.
+// Regrades hand-ins from the course, the student's number, the answers, and the changed settings alone. Each hand-in
+// has its own budget, so that none of them delays a whole class. Read lesson/hand_in.h for the file.
 #pragma once
 
 #include <functional>
@@ -90,7 +90,7 @@ public:
     const std::vector<Exercise>& exercises() const { return exercises_; }
     /// Grades a hand-in. `course`, if given, replaces the course in the file.
     StudentGrade grade(HandIn hand_in, const std::string& file, const std::optional<std::string>& course);
-    /// Returns the step for a variant, which is made only once.
+    /// Returns the step for a variant; each step is made only once.
     const Result<LessonStep>& step(std::size_t exercise, std::size_t variant);
 
 private:

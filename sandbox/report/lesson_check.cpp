@@ -125,7 +125,7 @@ private:
         return "";
     }
 
-    /// Adds a finding unless an answer is recognized by its own entry in the list, and by no earlier entry.
+    /// Adds a finding unless a wrong answer is recognized by its own entry in ask.wrong, and by no earlier entry.
     void expect_told(const Result<Verdict>& verdict, const WrongAnswer& wrong, const std::string& where) {
         if (!verdict)
             find(where + ": " + verdict.error());

@@ -1,5 +1,5 @@
 // The values of the names in a lesson's expressions: the state's fields, its matrices, and measurements of its pictures
-// at one fixed size, whatever the window's size. Read lesson/names.h for the list.
+// at fixed sizes, whatever the window's size. Read lesson/names.h for the list of names.
 #pragma once
 
 #include <map>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_polygons = 20'000, most_pairs = 1'000'000;
 
-/// `name` converts an index to the report's own numbering.
+/// `name` converts an index to the entry in the report: a polygon's number or an object's name.
 template <typename Name>
 Json list_of(std::span<const int> indices, const Name& name) {
     Json list = Json::array();

@@ -7,9 +7,9 @@
 
 namespace viewing {
 
-/// Reports which polygons must be painted before which others, and the same for objects; whether they can be painted
-/// whole in some order or form a cycle; and how many pairs each of the painter's keys orders wrongly. Draws nothing.
-/// The error says that there are too many polygons to compare.
+/// Reports, for polygons and for objects, which must be painted before which others, and whether all of them can be
+/// painted whole in some order or some form a cycle. Also reports how many pairs each of the painter's keys orders
+/// wrongly. Draws nothing. The error says that there are too many polygons to compare.
 Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 /// Returns the nodes of the BSP tree in the order in which the camera draws them, farthest first: {"count": n, "order":

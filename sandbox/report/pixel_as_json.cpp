@@ -50,7 +50,7 @@ Json fragments_as_json(const std::vector<Fragment>& fragments) {
     return list;
 }
 
-/// Returns the pixel of the low-resolution raster that contains a pixel of the view; null outside it.
+/// Returns the size of the low-resolution raster, and the raster pixel that contains a view pixel (null if none does).
 Json raster_as_json(const HiddenRequest& request, glm::ivec2 pixel, glm::ivec2 size_px) {
     const auto own = raster_pixel(glm::dvec2(pixel) + 0.5, size_px, request.size_px, request.share);
     return {{"size", as_json(request.size_px)}, {"pixel", own ? as_json(*own) : Json()}};

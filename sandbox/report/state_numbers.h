@@ -13,7 +13,7 @@ namespace viewing {
 /// `renderer` may be null, as for LessonNumbers, and must outlive the result.
 Result<Surroundings> numbers_of(const LoadedState& now, const Params& start, Renderer* renderer);
 
-/// Returns a function that does the same for a state that is its own start, for computing variants.
+/// Returns a function that calls numbers_of() for a state with itself as the start; used to compute variants.
 NumbersAt numbers_at_start(Renderer* renderer);
 
 }  // namespace viewing

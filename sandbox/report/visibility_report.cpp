@@ -53,7 +53,7 @@ bool has_build(VisibilityMethod method) {
     return method == VisibilityMethod::bsp || method == VisibilityMethod::ray_cast;
 }
 
-/// Whether the method first finds an order and then paints in that order; the other methods do both together.
+/// Whether the method first finds an order and then paints in that order; the other methods do not sort.
 bool has_order(VisibilityMethod method) {
     return method == VisibilityMethod::painter || method == VisibilityMethod::newell || method == VisibilityMethod::bsp;
 }

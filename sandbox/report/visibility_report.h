@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Runs every method on the scene from the state's camera, up to its last step. Reports its counters, its times, and
-/// the number of pixels that differ from ray casting with triangles, as difference() counts them. Numbers that do not
-/// apply to a method are null. Any error comes from GL.
+/// Runs every method on the scene from the state's camera, up to the method's last step. Reports each method's counters
+/// and times, and the number of pixels that differ from ray casting with triangles, as difference() counts them.
+/// Numbers that do not apply to a method are null. Any error comes from GL.
 Result<Json> visibility_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

@@ -42,7 +42,7 @@ Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& stat
     Result<FramePlan> frame = plan_at_once(renderer, params, derived, scene, size_px);
     if (!frame) return Error{frame.error()};
     const std::vector<Problem> problems = find_problems(params, derived, scene, *frame);
-    frame->samples = state.view.samples;  // the explained picture may have several
+    frame->samples = state.view.samples;  // the explained picture may be multisampled
     const FragmentFinder finder(scene);
     const auto solve = [&](const Params& fixed, const Derived& numbers) {
         const Result<FramePlan> solved = plan_at_once(renderer, fixed, numbers, scene, size_px);

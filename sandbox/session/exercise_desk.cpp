@@ -138,7 +138,7 @@ void ExerciseDesk::open_hand_in(const std::filesystem::path& opened) {
         if (folder.empty()) return Opened{*std::move(read), {}, {}};
         const std::filesystem::path kept = folder / answers_file_name({read->course, read->student, read->name});
         Result<HandIn> known = is_there(kept) ? load_hand_in(kept) : HandIn{};
-        // The answers kept here are newer.
+        // A draft stored in `folder` replaces that of the opened file.
         return known ? Opened{merged(*read, {}, *known), *known, {}} : Opened{*std::move(read), {}, {}};
     });
 }
@@ -170,7 +170,7 @@ Status ExerciseDesk::take_what_was_read() {
         has_changed_ = true;
     } else {
         practice_ = std::move((*read)->practice);
-        take_from_disk(std::move((*read)->on_disk), {});  // a name that was just typed wins
+        take_from_disk(std::move((*read)->on_disk), {});  // a name that was just typed replaces the file's
     }
     return std::monostate{};
 }

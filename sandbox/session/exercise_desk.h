@@ -40,7 +40,7 @@ public:
     /// Whether the student's number and course are known; if so, a practicing student can return to their own sheet.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
     /// The number of exercises that the student has tried in practice, and the number of those that have the student's
-    /// own numbers and include attempts that this sheet lacks.
+    /// own numbers and include attempts that the open sheet lacks.
     struct Practiced {
         int all = 0, with_own_numbers = 0;
     };
@@ -125,8 +125,8 @@ private:
 
     std::string followed_;  ///< the current exercise
     double followed_since_s_ = 0.0;
-    std::optional<Params> last_;                     ///< its last recorded state
-    std::optional<std::vector<double>> last_typed_;  ///< its last answer in this window, recorded or not
+    std::optional<Params> last_;                     ///< the exercise's last recorded state
+    std::optional<std::vector<double>> last_typed_;  ///< the exercise's last answer in this window, recorded or not
 };
 
 /// Returns the name of the file with a student's answers in a course. The name keeps letters, digits, - and _, writes

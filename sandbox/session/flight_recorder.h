@@ -10,10 +10,10 @@ namespace viewing {
 
 class FlightRecorder {
 public:
-    /// Makes the next frame passed to note() the start.
+    /// Starts a recording; the next frame passed to note() becomes its first.
     void begin();
     bool is_recording() const { return is_recording_; }
-    /// Adds the time since the previous frame; does nothing before the start.
+    /// Adds the time since the previous frame; does nothing before the first frame is recorded.
     void pass(double dt_s);
     /// Records the parameters of a drawn frame; does nothing unless recording.
     void note(const Params& drawn);

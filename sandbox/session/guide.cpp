@@ -168,7 +168,7 @@ void Guide::reveal(Session& session) {
     const bool has_improvised = session.params != start;
     const bool has_reached = kind_of(step.ask).is_on_screen && run_->verdict() && run_->verdict()->right;
     run_->reveal();
-    // If the goal was reached in a different way than in the model solution, keep that state.
+    // If the user reached the goal, keep the user's state instead of the model solution.
     const Params from = has_reached ? session.params : start;
     const Result<Params> changed = apply_settings(from, step.reveal.settings);
     const Params to = has_reached && changed ? *changed : step.revealed;

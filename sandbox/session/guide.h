@@ -38,13 +38,13 @@ public:
     /// Whether the shown lesson comes from a user's own file, which may change. If so, update() must be called every
     /// second.
     bool watches_file() const;
-    /// Makes the next update() check whether that file has changed.
+    /// Makes the next update() check whether the lesson's file has changed.
     void look_at_file() { unwatched_s_ = 1e9; }
     bool is_reading() const { return reading_.is_running(); }
 
     /// Hides the lesson for free exploration, with the state unchanged.
     void leave() { is_shown_ = false; }
-    /// Returns to the step.
+    /// Shows the lesson again and returns to its current step.
     void resume(Session& session);
     /// Ends the lesson, so that there is nothing to resume.
     void close();
@@ -59,13 +59,13 @@ public:
     /// Goes back to the question, then to the previous step, with its answer if that was shown; in a sheet, goes
     /// directly to the previous step.
     void previous(Session& session);
-    /// Goes to that step. Shows its question even if it was answered before, except in a sheet.
+    /// Goes to `step`. Shows the step's question even if it was answered before, except in a sheet.
     void go_to(std::size_t step, Session& session);
     /// Goes to the step that was shown before the last go_to().
     void go_back(Session& session);
     /// Shows the answer: the reveal's changes and, for a goal that was not reached, its model solution.
     void reveal(Session& session);
-    /// Restores the step's state, before or after its answer.
+    /// Restores the step's state: the one after the answer if the answer is shown, otherwise the one before.
     void return_to_step(Session& session);
     /// Shows the parameters from before the answer while `is_held`, like a blink comparator. Does nothing during a
     /// reveal.
@@ -80,10 +80,10 @@ private:
         Params from, to;
         double over_s = 0.0, passed_s = 0.0;
     };
-    /// Returns the step's state, before or after its answer.
+    /// Returns the step's state: the one after the answer if the answer is shown, otherwise the one before.
     const Params& shown() const { return run_->is_revealed() ? run_->step().revealed : run_->step().start.params; }
     void put(const Params& params, Session& session);
-    /// Reads the lesson again when its file has changed, and stays at the step, before or after its answer.
+    /// Reads the lesson again when its file has changed; stays at the current step, with its answer if that is shown.
     void follow_file(Session& session, double dt_s);
     /// Shows the new step with its question; in a sheet, restores the state in which the student left the step.
     void arrive(Session& session);

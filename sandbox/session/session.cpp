@@ -149,8 +149,8 @@ void Session::rest() {
 }
 
 void Session::undo() {
-    if (wanted_ && wanted_->is_whole) return cancel_loading();      // not a step yet
-    if (awaits_scene() && params != at_rest_) return keep_scene();  // not a step yet either
+    if (wanted_ && wanted_->is_whole) return cancel_loading();      // the state being read is not a step yet
+    if (awaits_scene() && params != at_rest_) return keep_scene();  // nor is a change that awaits its scene
     rest();
     if (const std::optional<Step> earlier = history_.undo()) {
         ++steps_back_;

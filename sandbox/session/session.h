@@ -59,7 +59,7 @@ public:
     /// Called once a frame: starts and finishes loading the scene that `params` names, applies opened states, and
     /// reports finished writes. If a read fails, nothing changes, and `message` says why it failed.
     void update_scene();
-    /// Waits until all of that is done; used to draw pictures without a window.
+    /// Waits until all reads and writes are finished and applied; used to draw pictures without a window.
     void finish_loading();
     std::optional<float> loading_fraction() const;
     /// Whether a state or a scene is being read; until it arrives, `params` are unchanged.
@@ -69,15 +69,15 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// Answers the question of whether that file may be read. If `may_read` is true, this session may read all files in
-    /// that file's folder, regardless of what refers to them.
+    /// Answers whether the file of asks_to_read() may be read. If `may_read` is true, this session may read all files
+    /// in that file's folder, regardless of what refers to them.
     void answer(bool may_read);
 
     /// Moves the camera, which keeps moving until it comes to rest.
     void navigate(const MotionInput& input, double dt_s);
     bool is_moving() const { return !motion_.at_rest(); }
-    const MovingFreedoms& moving_freedoms() const { return moving_; }    ///< in the last step
-    const MovingFreedoms& asked_freedoms() const { return asked_; }      ///< by keys, in the last step
+    const MovingFreedoms& moving_freedoms() const { return moving_; }    ///< moving in the last navigate()
+    const MovingFreedoms& asked_freedoms() const { return asked_; }      ///< requested by keys in the last navigate()
     static constexpr double least_speed = 0.05, greatest_speed = 200.0;  ///< world units per second
     double speed() const { return tuning_.speed; }
     void set_speed(double speed);

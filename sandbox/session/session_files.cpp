@@ -43,7 +43,7 @@ Result<Session> Session::begin(const LoadedState& state, double patience_s) {
 void Session::start_reading(Wanted wanted) {
     wanted_ = std::move(wanted);
     question_.reset();
-    if (wanted_->is_whole) outcome_.reset();  // of the previous open()
+    if (wanted_->is_whole) outcome_.reset();  // drops the outcome of the previous open()
     const LoadedState& known = wanted_->state;
     const bool is_there = wanted_->argument.empty() && known.params.scene == loaded_source_ &&
                           (known.base == loaded_base_ || scene_.read.empty());

@@ -6,7 +6,7 @@
 #define VIEWING_ENUMERATOR(name) name,
 #define VIEWING_NAME(name) #name,
 #define VIEWING_NOTHING(name)
-/// Declares an entry, inside a namespace with a type Entry; each is defined in the source that it is about.
+/// Declares the entry of a name, inside a namespace with a type Entry. The source about that name defines it.
 #define VIEWING_ENTRY(name) extern const Entry name;
-/// For a list of all entries, inside that namespace.
+/// Gives the address of an entry, to list all entries inside the same namespace.
 #define VIEWING_ADDRESS(name) &(name),

@@ -81,7 +81,7 @@ struct Field {
     double step = 0.01;                       ///< natural step of a drag
     bool logarithmic = false;                 ///< the range spans decades
     bool may_be_infinite = false;             ///< "infinite" is allowed above the range
-    double least_above_zero = 0.0;            ///< unless 0: 0 is allowed, but not the values between 0 and this
+    double least_above_zero = 0.0;            ///< unless 0: a value must be 0 or at least this
     std::span<const int> only = {};           ///< the allowed whole numbers; empty: all in the range
     std::span<const char* const> names = {};  ///< the allowed names of a list; empty: the paths of fields and groups
     bool is_light = false;                    ///< four numbers are (x, y, z, w), not a plane (a, b, c, d)
@@ -141,7 +141,7 @@ std::string_view group_of(std::string_view path);
 /// Returns the paths of all fields and groups, in the order of the list.
 std::vector<std::string> known_paths();
 
-/// Returns whether the range of the field's numbers is part of its description.
+/// Returns whether the JSON of the `params` command gives the field's range.
 bool has_range(const Field& field);
 
 /// Returns the names of a field's enumeration, or those that a list of names may contain; empty for other kinds.

@@ -1,7 +1,6 @@
-// The kinds of field, each declared once: its name, its form, which reads a value, says what is allowed and has the
-// schema, the way it is written, and how a control's or a flight's value is clamped and blended. What needs a window or
-// a random generator lives above the state, in one overload set each: ui/parts/controls.cpp and the tests'
-// random_params.h.
+// Declares each kind of field once: its name; its form, which reads a value, says what is allowed, and makes the
+// schema; how a value is written; and how a value is clamped and blended. What needs a window or a random generator
+// lives above the state, in one overload set each: ui/parts/controls.cpp and the tests' random_params.h.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +32,7 @@ Form<int> whole(const Field& field) {
     return form::whole(static_cast<int>(field.min), static_cast<int>(field.max));
 }
 
-/// A list with an entry for each component, read by the component's form, or by the last one.
+/// A list with one number for each component. `entries` has a form for each; its last form reads any further ones.
 template <typename Vector, typename Entry>
 Form<Vector> vector(const std::vector<Form<Entry>>& entries, const std::string& what) {
     constexpr auto length = static_cast<std::size_t>(Vector::length());
@@ -57,7 +56,7 @@ Form<glm::dvec2> pair(const Field& field, const std::string& what) {
     return vector<glm::dvec2>(std::vector{form::number(component_range(field, 0))}, what);
 }
 
-/// Null, or a value of the form, whose text already says so.
+/// Null, or a value of `form`. The text form.what must already mention null.
 template <typename V>
 Form<std::optional<V>> or_null(const Form<V>& form) {
     const auto read = [read = form.read](const Json& value, const Where& where) {
@@ -116,9 +115,9 @@ double between(double a, double b, double share, const Field& field) {
 
 // ---- the kinds -----------------------------------------------------------------------------------------------------
 
-/// What a kind does if it does not say otherwise.
+/// The defaults of all kinds; a kind hides those that it replaces.
 struct AnyKind {
-    static constexpr bool has_range = false;  ///< whether `params` tells the field's range
+    static constexpr bool has_range = false;  ///< whether the JSON of `params` gives the field's range
     template <typename T, typename V>
     static void assign(T* to, V value) {
         *to = std::move(value);
@@ -133,7 +132,7 @@ struct NumericKind : AnyKind {
     static constexpr bool has_range = true;
 };
 
-/// The kind of the fields to which a FieldRef refers in this way.
+/// The kind of the fields whose FieldRef holds a `Ref`.
 template <typename Ref>
 struct Kind;
 
@@ -315,7 +314,7 @@ struct Kind<Further<Element>> : AnyKind {
     }
 
 private:
-    /// An element is read as the first one of a state, so that fields that it omits keep their defaults.
+    /// Reads an element as the first one of a default state, so that fields that the element omits keep their defaults.
     static Form<Element> element() {
         const std::string group(List::group);
         const auto read = [group](const Json& object, const Where& where) {
@@ -373,7 +372,7 @@ struct Kind<FurtherOverrides> : AnyKind {
         };
         return {what, {}, read, schema};
     }
-    /// The matrices of the first plane and light have their own fields.
+    /// Leaves the first R and S unchanged, since they have their own fields.
     static void assign(const FurtherOverrides& to, All all) {
         all[0].mirrored_world_from_world = (*to.all)[0].mirrored_world_from_world;
         all[0].shadowed_world_from_world[0] = (*to.all)[0].shadowed_world_from_world[0];
@@ -587,8 +586,8 @@ struct Kind<std::vector<std::string>*> : AnyKind {
     static Json write(const std::vector<std::string>* value) { return *value; }
 };
 
-/// The differences of the second picture. Each must be possible in some state; beside_params() makes them fit the
-/// current state.
+/// The differences of the second picture. Each setting must be valid by itself; beside_params() moves the resulting
+/// values into their ranges.
 template <>
 struct Kind<Settings*> : AnyKind {
     static constexpr std::string_view type = "settings";

@@ -167,7 +167,7 @@ struct Params {
     std::optional<Lens> lens_by_hand() const;
 
     /// Returns the state with a P entered by hand as its projection, if a lens produces that P: near, far and the edges
-    /// are then those of the picture. Its projection may have values outside the fields' ranges.
+    /// are then those of the picture. The projection may have values outside the fields' ranges.
     Params with_projection_by_hand() const;
 
     /// Returns the factor by which reflection.fovy enlarges the picture in a mirror; 1 if the mirror uses the camera's

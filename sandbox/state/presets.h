@@ -51,7 +51,7 @@ struct LoadedState {
     Params params;
     std::filesystem::path base;          ///< the folder that the scene's relative paths start from
     std::string scene_origin = "scene";  ///< messages about the scene begin with it: "room.json: scene", "--set scene"
-    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< null if it was not a preset
+    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< null if the state is not from a preset
     Titles titles = {};                                  ///< the titles of its file; empty if there are none
     std::shared_ptr<const Flight> flight = nullptr;      ///< the file's flight, which starts at `params`; else null
     FileReach reach = {};  ///< the files that its scene may read: for a state file, those in its folder

@@ -85,7 +85,7 @@ struct ObjMesh {
 Result<ObjMesh> load_obj(const std::filesystem::path& file, const MeshReading& reading = {},
                          WorkProgress* progress = nullptr);
 
-/// Returns whether a file name ends with ".obj", in upper or lower case, as the names of Wavefront files do.
+/// Returns whether a file name has the extension of Wavefront files, ".obj", in upper or lower case.
 bool is_obj_file(const std::filesystem::path& file);
 
 /// Returns a scene that shows one mesh file, resting on the plane y = 0. Reads the file to find the mesh's height, and

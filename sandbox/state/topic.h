@@ -4,9 +4,9 @@
 
 #include "state/closed_set.h"
 
-/// Applies VIEW to the name of each lower view, as in state files and in the order of the window's list. Applies
-/// UNPRINTED instead to those that are not exported as pictures: `depth`, since that picture is the camera's buffer,
-/// and `growth`, since it shows measured times.
+/// Applies VIEW to the name of each lower view, spelled as in state files, in the order of the window's list. Applies
+/// UNPRINTED instead to the views that are not exported as pictures: `depth`, since its picture is the camera's depth
+/// buffer, and `growth`, since it shows measured times.
 #define VIEWING_LOWER_VIEWS(VIEW, UNPRINTED) \
     VIEW(observer)                           \
     UNPRINTED(depth)                         \

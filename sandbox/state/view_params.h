@@ -62,7 +62,7 @@ struct ViewParams {
     BesideParams beside;
     std::optional<glm::ivec2> pixel;  ///< the pinned pixel of the camera view; (0, 0) is the top left one
     std::optional<Pin> pin;           ///< overrides `pixel`
-    std::optional<glm::ivec2> cells;  ///< columns and rows of cells around that pixel; none: as many as stay readable
+    std::optional<glm::ivec2> cells;  ///< columns and rows around the pinned pixel; none: as many as stay readable
     int call = -1;                    ///< the last draw call to draw, counted from 0; −1: draws all
     int triangle = -1;                ///< the number of triangles of that call to draw; −1: all
     int pass = -1;                    ///< the last pass to draw, counted from 0; −1: draws all

@@ -16,7 +16,7 @@ struct VisibilityParams {
     PainterKey sort_key = PainterKey::farthest;
     BspSplitter splitter = BspSplitter::fewest_splits;
     BspOrder walk = BspOrder::back_to_front;
-    double epsilon = 1e-9;      ///< points nearer to a plane count as on it; a fraction of the scene's diagonal
+    double epsilon = 1e-9;      ///< points nearer than this to a plane count as on it; fraction of the scene's diagonal
     bool exact_curves = false;  ///< rays intersect spheres, cylinders, cones and tori instead of their triangles
     VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other method in the difference view
     bool numbers = false;                                        ///< writes the drawing order on the polygons

@@ -31,9 +31,8 @@ std::string json_text(const Json& json, int indent) {
 /// The subfolders of a report.
 constexpr std::array inner_folders{"pictures", "states", "numbers"};
 
-/// Checks whether a report may be written here: it may if the folder is new, is empty, or contains a report. A report
-/// has a report.json or, if its first run was killed before that file was written, all of its subfolders and nothing
-/// else.
+/// Checks that the folder may hold a report: it must be new, be empty, or contain a report. A report has a report.json
+/// or, if its first run was killed before that file was written, all of the subfolders and nothing else.
 Status check_report_folder(const fs::path& folder) {
     std::error_code error;
     if (!is_there(folder) || fs::is_empty(folder, error)) return std::monostate{};

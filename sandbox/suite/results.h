@@ -57,7 +57,7 @@ Json as_json(const RunResult& run);
 /// Reads the result of an entry. Throws Refusal if it is invalid.
 EntryResult read_entry_result(const Json& value, const Where& where);
 
-/// Reads report.json in a report's folder. Fails if there is none, or if it is not one of ours.
+/// Reads report.json in a report's folder. Fails if the file is missing, or if it is not a report of this program.
 Result<RunResult> read_run(const std::filesystem::path& folder);
 
 /// Returns, for example, "212 entries: 209 passed, 2 different, 1 new; 12.3 s".

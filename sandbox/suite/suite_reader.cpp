@@ -156,8 +156,8 @@ Object<SuiteEntry> settings(const fs::path& folder) {
 
 // ---- entries -------------------------------------------------------------------------------------------------------
 
-/// A name in the suite: a file relative to its folder, or a built-in lesson or preset, which is kept if there is no
-/// such file.
+/// The name of a file, relative to the suite's folder, or of a built-in lesson or preset. If there is such a file, the
+/// name becomes the file's path; otherwise, it is kept.
 form::Form<std::string> file_form(const fs::path& folder) {
     return form::name().then([folder](const std::string& name) {
         std::error_code unknown;
@@ -266,7 +266,7 @@ std::vector<SuiteEntry> entries_of(const Several& several, const Where& where) {
 
 // ---- the suite -----------------------------------------------------------------------------------------------------
 
-/// Assigns file names to entries. Refuses two that differ only in case, since on some systems they are the same file.
+/// Assigns file names to entries. Refuses two names that differ at most in case, since some systems ignore case.
 void name_files(Suite& suite, const std::string& prefix) {
     std::map<std::string, std::string> taken;
     for (SuiteEntry& entry : suite.entries) {

@@ -11,8 +11,8 @@ namespace viewing {
 /// layout and the second picture itself are common to both pictures.
 bool may_differ_beside(std::string_view path);
 
-/// Returns the parameters of the second picture: those of the first with its settings applied, moved into their ranges
-/// (for instance, if far was lowered below a changed near). Without a second picture, returns `params`.
+/// Returns the parameters of the second picture: those of the first with the changes of view.beside, clamped to
+/// their ranges (for instance, if view.beside.set raises near above far). Without a second picture, returns `params`.
 Params beside_params(const Params& params);
 
 /// Makes the second picture show `other`: the fields in which it differs become view.beside.set. Differences in fields

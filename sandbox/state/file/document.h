@@ -57,7 +57,7 @@ struct Where {
         }
         return !mistakes || mistakes->size() == before;
     }
-    /// Returns the value that `read` returns. If mistakes in it were collected, leaves the part by an empty Refusal.
+    /// Returns the value that `read` returns. If `read` collected mistakes, throws an empty Refusal to end the part().
     template <typename Read>
     auto whole(const Read& read) const {
         const std::size_t before = mistakes ? mistakes->size() : 0;

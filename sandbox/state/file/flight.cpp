@@ -83,7 +83,7 @@ Result<Params> FlightWalk::at(std::size_t index) {
 
 void FlightSize::add(std::string_view text) {
     bytes_ += text.size();
-    // Every JSON value except the first follows one of these.
+    // Every JSON value except the first follows one of these four characters.
     values_ += static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char sign) { return sign == ',' || sign == ':' || sign == '[' || sign == '{'; }));
 }

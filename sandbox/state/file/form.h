@@ -1,5 +1,6 @@
-// The form of a JSON value, declared once: it reads the value, with a message for each mistake, and has its JSON Schema
-// (draft 2020-12). A file's form is an Object, whose members have forms. form.cpp has the forms of plain values.
+// The form of a JSON value, declared once: it reads the value, with a message for each mistake, and makes the value's
+// JSON Schema (draft 2020-12). A file's form is an Object, whose members have forms. form.cpp has the forms of plain
+// values.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +16,10 @@
 
 namespace viewing::form {
 
-/// Puts a schema into the definitions under that name, and returns a reference to it.
+/// Puts a schema into `definitions` under `name`, and returns a schema that refers to it.
 Json defined(Json& definitions, const char* name, Json schema);
 
-/// Calls `change` with a value and, if it takes one, the value's place.
+/// Calls `change` with a value and, if `change` takes two arguments, with the value's place.
 template <typename Change, typename V>
 auto called(const Change& change, V value, const Where& where) {
     if constexpr (std::is_invocable_v<const Change&, V, const Where&>)
@@ -32,10 +33,10 @@ struct Form {
     std::string what;  ///< completes "is missing:" and "must be", or says itself what the value must be
     std::function<bool(const Json& value)> takes;                  ///< whether the value has the right JSON type
     std::function<V(const Json& value, const Where& where)> read;  ///< throws a Refusal
-    std::function<Json(Json& definitions)> schema;                 ///< adds what it refers to to the definitions
+    std::function<Json(Json& definitions)> schema;                 ///< puts schemas that it needs into `definitions`
 
-    /// Returns the form whose value is change(value) or change(value, where). The change may refuse the value, and
-    /// keeps it if it returns nothing. `also` is added to the schema.
+    /// Returns the form whose value is change(value) or change(value, where). The change may refuse the value; if
+    /// the change returns nothing, the value stays. `also` is added to the schema.
     template <typename Change>
     auto then(Change change, const Json& also = Json::object()) const {
         using Changed = decltype(called(change, std::declval<V>(), std::declval<const Where&>()));
@@ -55,14 +56,14 @@ struct Form {
                               return all;
                           }};
     }
-    /// Returns the same form, of which only the first mistake is collected, because others may follow from it.
+    /// Returns a form that reads alike but stops at the first mistake, because later mistakes may follow from it.
     Form strict() const {
         const auto read_strictly = [read = read](const Json& value, const Where& where) {
             return read(value, {where.prefix, where.path});
         };
         return {what, takes, read_strictly, schema};
     }
-    /// Returns the same form, which the schema defines once under that name.
+    /// Returns a form that reads alike; schemas define it once, under `name`, and refer to that definition.
     Form named(const char* name) const {
         return {what, takes, read, [schema = schema, name](Json& definitions) {
                     Json own = schema(definitions);
@@ -79,15 +80,15 @@ Json one_of(std::span<const char* const> names);
 Json name_schema();
 Json object_of(Json properties);
 Json color_schema();
-/// Returns the schema of a list: of like items, or of an array of items.
+/// Returns the schema of a list. `items` is one schema for all items, or an array with a schema for each item.
 Json list_of(Json items, std::size_t most, std::size_t least = 0);
-/// Returns the text of a file's schema, whose content may add to the definitions.
+/// Returns the text of a file's schema. `content` returns the schema itself, and may add definitions.
 std::string document(const char* title, const std::function<Json(Json& definitions)>& content);
 
 // ---- plain values --------------------------------------------------------------------------------------------------
 
 Form<std::string> name(const std::string& what = "a name");
-/// Any text of at most that many bytes.
+/// Any text of at most `most_bytes` bytes.
 Form<std::string> text(const std::string& what = "a string", std::size_t most_bytes = max_document_bytes);
 Form<bool> boolean();
 Form<double> number(const Range& range);
@@ -100,7 +101,7 @@ Form<int> version();
 /// {PATH: VALUE, …}, read as a list of PATH=VALUE.
 Form<std::vector<std::string>> settings();
 Form<std::vector<int>> slides();
-/// A value that is read elsewhere.
+/// A value that is left unread: the form returns its address.
 Form<const Json*> value(const std::string& what, const std::function<Json(Json& definitions)>& schema);
 
 /// One of these names, read as an enumerator or an index.
@@ -114,7 +115,7 @@ Form<Enum> choice(std::span<const char* const> names) {
 
 // ---- lists, and values of several kinds ----------------------------------------------------------------------------
 
-/// How many items a list has, and the message for fewer.
+/// How many items a list may have, and the message if it has fewer.
 struct Count {
     std::size_t most, least = 0;
     const char* too_few = "must not be empty";  ///< nullptr: the message for too many
@@ -233,14 +234,14 @@ public:
         return add(
             key, form, [](T&, const V&) {}, is_needed);
     }
-    /// An object whose members are read into this one.
+    /// An object whose members are read into the same T.
     Object& nested(const char* key, const Object& part, bool is_needed) {
         const auto read = [shared = part.shared()](T& object, const Json* value, const Where& where) {
             shared->read_into(object, *value, where);
         };
         return add(key, part.unread(), read, is_needed);
     }
-    /// A list of objects that are read into this one, one after another; next(T&) precedes each.
+    /// A list of objects that are read into the same T, one after another; next(T&) is called before each.
     template <typename Next>
     Object& each(const char* key, const Object& item, const std::string& what, const Count& count, Next next) {
         const auto read = [next, shared = item.shared()](T& object, const std::vector<const Json*>& values,
@@ -253,9 +254,9 @@ public:
         };
         return optional(key, list(item.unread(), what, count), read);
     }
-    /// The version of the file's format, which also tells the format; a schema's name may precede it.
+    /// The version of the file's format. `key` also identifies the format; the file may contain "$schema" too.
     Object& version(const char* key) { return ignored({"$schema"}).checked(key, form::version(), true); }
-    /// Members that another kind of the object has: allowed here, and not read.
+    /// Members that only another kind of this object uses: they are allowed here, but not read.
     Object& ignored(const Keyed& keys) {
         for (const char* const key : keys)
             if (!knows(key)) checked(key, value("", [](Json&) { return Json(true); }));
@@ -265,7 +266,7 @@ public:
         const auto read = [why](const Json&, const Where& where) -> bool { where.refuse(why); };
         return knows(key) ? *this : checked(key, Form<bool>{"", {}, read, [](Json&) { return Json(false); }});
     }
-    /// All members of another object, which is part of this one: into(T&) returns a reference to it.
+    /// All members of another object. They are read into a part of T: into(T&) returns a reference to that part.
     template <typename U, typename Into>
     Object& with(const Object<U>& part, Into into) {
         members.insert(members.end(), part.members.begin(), part.members.end());
@@ -282,18 +283,18 @@ public:
         all_rules.push_back(std::move(rule));
         return *this;
     }
-    /// The keys are allowed only together with another.
+    /// The keys are allowed only together with `needed`.
     Object& need(const Keyed& keys, const char* needed) {
         for (const char* const key : keys) all_rules.push_back(needed_by(key, needed));
         return *this;
     }
 
-    /// Reads the members. Those that are missing keep their values.
+    /// Checks the keys and reads the members. Members of `object` whose keys are missing keep their values.
     void read_into(T& object, const Json& value, const Where& where) const {
         check(value, where);
         read_members(object, value, where);
     }
-    /// Reads without checking the other keys.
+    /// Reads the members, but checks neither the rules nor whether there are unknown keys.
     void read_members(T& object, const Json& value, const Where& where) const {
         for (std::size_t i = 0; i < members.size(); ++i)
             where.part([&] {
@@ -306,8 +307,8 @@ public:
         return object;
     }
 
-    /// Returns the form of the object, whose members begin as in start(), if there is one. With a key, it takes only
-    /// objects with the key.
+    /// Returns the form of the object. Reading begins with start(), or with T{} if there is no `start`. Unless `key` is
+    /// empty, the form takes only objects that contain it.
     Form<T> form(const std::function<T()>& start = {}, const std::string& key = "") const {
         const auto read = [start, self = shared()](const Json& value, const Where& where) {
             return self->read(value, where, start ? start() : T{});

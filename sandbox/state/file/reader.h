@@ -63,7 +63,7 @@ inline constexpr std::string_view look_at_path = "camera.look_at";
 /// Returns the four fields that camera.look_at replaces.
 std::span<const std::string_view> fields_of_look_at();
 Json look_at_as_json(const LookAt& look_at);
-/// Reads {"eye", "center", "up"}; only up may be left out, and is then (0, 1, 0). Refuses a LookAt without a camera.
+/// Reads {"eye", "center", "up"}; only up may be left out, and is then (0, 1, 0). Refuses degenerate vectors.
 LookAt read_look_at(const Json& value, const Where& where);
 /// Refuses a camera object that has both look_at and one of the fields that look_at replaces.
 void require_one_camera(const Json& camera, const Where& where);

@@ -42,14 +42,14 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     return vertices;
 }
 
-/// Only this shape may have the key and, if `is_needed`, must have it.
+/// Returns the rule that only objects of this shape may have the key and, if `is_needed`, that they must have it.
 form::Keys::Rule only_of(ShapeKind shape, const char* key, bool is_needed) {
     const std::string name(name_of(shape));
     const auto check = [=](const Json& object, const Where& where) {
         const auto names = names_of<ShapeKind>();
         const auto own =
             object.contains("shape") ? std::find(names.begin(), names.end(), object["shape"]) : names.end();
-        if (own == names.end()) return;  // the shape is refused
+        if (own == names.end()) return;  // a missing or unknown shape is refused elsewhere
         if (*own != name && object.contains(key))
             where.key(key).refuse("belongs to the shape " + name + ", but this object is a " + *own);
         if (*own == name && !object.contains(key) && is_needed)

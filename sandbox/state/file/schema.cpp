@@ -29,8 +29,8 @@ void add_look_at(Json& camera) {
         camera["allOf"].push_back({{"not", {{"required", {"look_at", field(path).name()}}}}});
 }
 
-/// Adds the rules that near is positive unless the projection is orthographic and depth is not logarithmic, and that
-/// far is finite if the projection is orthographic or depth is logarithmic.
+/// Adds two rules: near is positive if the projection is not orthographic or depth is logarithmic; far is finite if the
+/// projection is orthographic or depth is logarithmic.
 void add_rules_of_range(Json& root) {
     const auto is = [](const char* group, const char* name, std::string_view value) -> Json {
         const Json inner = {{"properties", {{name, {{"const", value}}}}}, {"required", Json::array({name})}};

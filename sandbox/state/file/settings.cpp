@@ -96,7 +96,7 @@ public:
         std::string_view rest;
         if (const Field* field = field_at(where.path, rest)) {
             note_camera(field->path);
-            // Reads the whole field again, so that the same rules apply.
+            // Reads the whole field again, so that the rules for a state file apply.
             Json whole = field_as_json(*field, params_);
             set_part(whole, field->path, rest, value, prefix_);
             read_field(*field, params_, whole, {prefix_, std::string(field->path)});

@@ -12,7 +12,7 @@ namespace {
 
 const glm::dvec3 viewpoint{0.0, 1.5, 4.0};
 constexpr double half_side = 0.068;                    // half a quad's side, as a fraction of its eye distance
-const glm::dvec3 front_shift_model{0.45, 0.0, -0.35};  // in half sides; keeps the back quad visible beside it
+const glm::dvec3 front_shift_model{0.45, 0.0, -0.35};  // in half sides; keeps the back quad partly visible
 constexpr double turned_deg = 6.0;                     // rotation away from the viewpoint, about the vertical axis
 constexpr Color back_color{0x5a, 0x9e, 0xf0}, front_color{0xe0, 0x81, 0x2f};
 

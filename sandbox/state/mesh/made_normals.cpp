@@ -48,13 +48,13 @@ private:
     bool lacks(std::uint32_t corner) const { return content_.corners[corner].normal == ObjCorner::no_normal; }
     const Face& face_at(std::uint32_t corner) const { return faces_[face_of_[corner]]; }
 
-    /// Returns the entry of about_ that represents all entries joined to this one.
+    /// Returns the entry of about_ that represents all entries joined to `place`.
     std::uint32_t root_of(std::uint32_t place) {
         while (root_[place] != place) place = root_[place] = root_[root_[place]];
         return place;
     }
 
-    /// An edge that starts at the position: its other end, and the entry of about_ for its face.
+    /// An edge that starts at the current position: its other end, and the entry of about_ for its face.
     struct Edge {
         int end;
         std::uint32_t place;

@@ -159,7 +159,7 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     std::string_view rest = statement_.empty() ? line : statement_;
     if (line.ends_with('\\')) {
-        // A name may contain \#, whose # has been removed as a comment.
+        // A line of names may end with the \ of a \# whose # was removed as a comment; such a line does not continue.
         if (statement_of(next_word(rest)) != Statement::names) {
             statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
             if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");

@@ -65,7 +65,7 @@ function show(entry) {
 
 const loaded = new Map();  // by file name: a promise of {expected, actual, difference} as images
 
-/** Called by a picture's own script. */
+/** Called by the script with an entry's pictures, pictures/NAME.js. */
 function pictures(file, data) {
   const images = Object.entries(data).map(([name, url]) => new Promise(done => {
     const image = new Image();
@@ -78,7 +78,7 @@ const waiting = new Map();
 
 function load(entry) {
   if (!loaded.has(entry.file)) loaded.set(entry.file, new Promise(done => {
-    if (entry.outcome === "not drawn") return done({});  // the files there are from an earlier run
+    if (entry.outcome === "not drawn") return done({});  // any files of the entry are from an earlier run
     if (!entry.details?.compare || entry.outcome === "passed") {
       const image = new Image();
       image.onload = () => done({actual: image});
