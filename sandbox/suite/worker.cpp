@@ -8,7 +8,7 @@ namespace viewing {
 namespace {
 
 void answer(std::FILE* output, const Json& json) {
-    // A result quotes its input, so replace invalid UTF-8.
+    // A result may quote invalid UTF-8 from its input, so replace such bytes.
     const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     std::fwrite(line.data(), 1, line.size(), output);
     std::fflush(output);

@@ -16,11 +16,11 @@ namespace {
 /// Translations by English text.
 using Texts = std::map<std::string, std::string, std::less<>>;
 
-/// Null for English.
+/// The current translations; null for English.
 std::atomic<const Texts*> spoken = nullptr;
 
-/// Makes these texts current. Never frees a language's texts: a string that was looked up may be shown for as long as
-/// the program runs.
+/// Makes `texts` the current translations. Never frees translations: a string that was looked up may be shown for as
+/// long as the program runs.
 void speak_texts(Texts texts) {
     static std::mutex mutex;
     static std::vector<std::unique_ptr<const Texts>> all;

@@ -8,7 +8,7 @@
 //     say_count(n, "one node is built", "{count} nodes are built")
 //                                two whole templates, never an appended "s"
 //     tr("Scene")                a text without placeholders that goes straight to ImGui
-//     marked("Scene")            the same text in a table, which tr() or a widget shows later. A widget looks up every
+//     marked("Scene")            a text in a table, which tr() or a widget looks up later. A widget looks up every
 //                                label, name, tip, title and sentence that it draws, so literals given to a widget
 //                                need no marking.
 //

@@ -1,5 +1,5 @@
-// A hash that is the same on every machine, forever. It picks variants and distinguishes files. Source: Fowler, Noll
-// and Vo, FNV-1a, 64 bits.
+// A hash that is the same on every machine, forever. It chooses variants of exercises and detects changes in suites.
+// Source: Fowler, Noll and Vo, FNV-1a, 64 bits.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
-// A text without a language: an English template and its values. Whatever is computed, compared or kept carries
-// messages and so does not depend on the language; say() makes the sentence where it is shown.
+// A text that does not depend on the language: an English template and its values. Code that computes, compares or
+// keeps texts uses messages; say() translates a message where it is shown.
 //
 //     pass.name = message("Shadow of light {light}", "light"_a = light + 1);
 //     message("{pass} in mirror {mirrors}", "pass"_a = pass.name, "mirrors"_a = "2, 3")
-//                                a value may be a message, which is translated with the whole
+//                                a value may itself be a message; say() translates both
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ public:
     struct Value;
 
     Message() = default;
-    /// A literal without placeholders. Call message() instead where tests/catalogue should find it.
+    /// A literal without placeholders. Call message() instead if tests/catalogue should find the literal.
     template <std::size_t N>
     Message(const char (&english)[N]) : english_(english) {}  // NOLINT(google-explicit-constructor)
     /// `english` must live as long as the program, as literals do.
@@ -42,7 +42,7 @@ private:
 /// A placeholder's name, and what replaces it: a text, the name of an object, or a list of messages.
 struct Message::Value {
     std::string name, text;
-    std::vector<Message> list{};  ///< if not empty, instead of the text
+    std::vector<Message> list{};  ///< if not empty, used instead of `text`
     bool is_object = false;
     bool operator==(const Value&) const = default;
 };
@@ -63,7 +63,7 @@ Message message(fmt::format_string<Values...> english, Values&&... values) {
     return {std::string_view(id.data(), id.size()), {value(values.name, values.value)...}};
 }
 
-/// Returns the message that says object_text() of the name.
+/// Returns a message that say() turns into object_text(name).
 Message object_message(std::string_view name);
 
 /// Returns the message "a, b"; an empty one if there are none.

@@ -52,8 +52,8 @@ std::string lowered_text(std::initializer_list<std::size_t> indices);
 /// Returns the shortest decimal that reads back to exactly `value`, as in JSON: "0.5", "-0.0", "40000", "1e6".
 std::string format_number(double value);
 
-/// Returns the same, but as C, Python and CSV write it, sometimes with a two-digit exponent: "0.5", "-0", "1e-05",
-/// "inf".
+/// Returns the shortest decimal that reads back to exactly `value`, as C, Python and CSV write it. An exponent has at
+/// least two digits: "0.5", "-0", "1e-05", "inf".
 std::string shortest_number(double value);
 
 /// Returns a color as "#e4572e".
@@ -92,8 +92,8 @@ struct NumberChars {
 enum class Tiny { zero, exponent, exact };
 /// Writes the same as number_text, with a choice of how to write tiny numbers.
 NumberChars number_chars(double value, int decimals, Tiny tiny);
-/// Writes the same in at most `columns` characters. To fit, drops decimals, then the unit, then writes 1.2·10⁵, then
-/// 1.2e5.
+/// Writes a number followed by `unit`, if possible in at most `columns` characters. To fit, drops decimals, then the
+/// unit, then writes 1.2·10⁵, then 1.2e5.
 NumberChars fitted_number(double value, int decimals, Tiny tiny, std::string_view unit, int columns);
 
 }  // namespace viewing

@@ -16,12 +16,12 @@ struct PoEntry {
     std::string translation;
     bool is_fuzzy = false;   ///< a translator must review it; it counts as not translated
     int line = 0;            ///< where it begins, from 1
-    std::string where = {};  ///< the files that show it, as "#:" lists them
+    std::string where = {};  ///< the files that use the text, as "#:" lists them
 };
 
 /// Returns the entries of a .po file in UTF-8, in order, without its header (the entry with an empty id). Refuses
-/// contexts, plural forms, unknown keywords or escapes, and repeated ids, with one sentence that names the line. Here,
-/// an English text has only one translation; the text for 1 and the text for other numbers are two entries.
+/// contexts, plural forms, unknown keywords or escapes, and repeated ids, with one sentence that names the line. This
+/// program gives each English text only one translation; the text for 1 and the text for other numbers are two entries.
 Result<std::vector<PoEntry>> read_po(std::string_view content);
 
 /// Returns the names of a template's placeholders, in alphabetical order, each once: "{count} of {all}" has "all" and

@@ -13,7 +13,7 @@ namespace viewing {
 namespace {
 
 struct Character {
-    std::optional<char32_t> code_point;  ///< none if it is not UTF-8
+    std::optional<char32_t> code_point;  ///< none if the bytes are not valid UTF-8
     std::size_t bytes = 1;
 };
 

@@ -77,7 +77,7 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
 /// Returns "; did you mean less?" for a misspelled word, "" if nothing is near.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-/// Whether that many edits still look like a typo in a word of this length; never for a single letter.
+/// Whether `distance` edits still look like a typo in a word of this length; never for a single letter.
 bool is_near(std::size_t distance, std::size_t word_length);
 
 }  // namespace viewing

@@ -64,7 +64,7 @@ CellLayout lay_out_cells(const Rect& rect) {
 
     const float shortest = std::min(layout.colors.width(), layout.colors.height()) - 2.0F * px(grid_margin);
     const auto side = [&](float least) { return std::max(px(type * least), shortest / cells_on_a_side); };
-    // When presenting, prefer fewer cells, each with all its digits.
+    // When presenting, a low view has fewer columns, so that each cell has space for all its digits.
     const float high = side(is_low ? least_side_where_low : least_side);
     const float wide = widgets::HasPlainTitles() ? side(least_side) : high;
     layout.block = {count_that_fits(layout.colors.width(), wide), count_that_fits(layout.colors.height(), high)};

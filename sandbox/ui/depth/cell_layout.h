@@ -15,7 +15,7 @@ struct CellLayout {
     float caption_height = 0.0F;
     Rect colors, depths;  ///< the grids, without their captions
     Rect sentence;
-    glm::ivec2 block{1};  ///< number of columns and rows with legible numbers
+    glm::ivec2 block{1};  ///< how many columns and rows fit with legible numbers
 };
 
 /// Returns the layout of a view that fills `rect`.

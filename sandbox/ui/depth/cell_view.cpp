@@ -117,7 +117,7 @@ glm::ivec2 pixel_of(const CellBlock& block, int cell) {
     return block.first_pixel + glm::ivec2(cell % block.size.x, cell / block.size.x);
 }
 
-/// A call index past the last call also means the whole frame.
+/// Whether the view shows the whole frame: the call index is negative or past the last call.
 bool shows_whole_frame(const ViewParams& view, const std::vector<DrawCall>& calls) {
     return view.call < 0 || view.call >= static_cast<int>(calls.size());
 }

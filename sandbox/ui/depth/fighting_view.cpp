@@ -276,7 +276,7 @@ LinePart told(std::string text, bool is_wrong) {
     return {std::move(text), is_wrong ? palette().trouble : palette().text};
 }
 
-/// Reports wrong pixels outside the pairs. If surfaces show through nearer ones, reports only those pixels.
+/// Reports wrong pixels outside the pairs. If some of them show a surface through a nearer one, reports only those.
 LinePart elsewhere(const FightingCounts& counts) {
     if (counts.bleeding_elsewhere > 0)
         return told(say("elsewhere: {count} bleed through", "count"_a = grouped_number(counts.bleeding_elsewhere)),

@@ -93,8 +93,8 @@ void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     }
 }
 
-/// Hides the code width and the range of codes if a lesson covers them. The panel shows the code width too, and lessons
-/// use one name for both.
+/// Hides the code width and the range of codes if a lesson covers them. Lessons use the same name for the code width
+/// here and in the panel.
 void cover(PixelNumber& number) {
     if (widgets::IsCovered("note:codes")) number.unit.clear();
     const bool is_step = number.name == "width Δz" || number.name == "eye Δz";

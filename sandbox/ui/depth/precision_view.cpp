@@ -45,8 +45,8 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
 /// How many curves there are besides the one for the current format.
 enum class OtherCurves { none, few, all };
 
-/// Twelve names are illegible from the back row. On stage, shows other curves only for a step that changes the format,
-/// and then only a few.
+/// Twelve names are illegible from the back row. On stage, shows other curves only if the state lists the control of
+/// the format or of the mapping, and then only a few.
 OtherCurves other_curves(const LayoutParams& layout, bool is_small) {
     if (!widgets::CurrentContext().is_on_stage) return is_small ? OtherCurves::few : OtherCurves::all;
     const bool changes_format =

@@ -110,8 +110,8 @@ float saving_width() {
     return widgets::SmallButtonWidth("Save CSV") + px(6.0F) + widgets::SmallButtonWidth("Save PNG");
 }
 
-/// Draws the progress or, if nothing is running, the buttons that save the result. Returns whether to save a picture of
-/// the chart, whose rectangle is not known yet.
+/// Draws the progress or, if nothing is running, the buttons that save the result. Returns true if the caller must save
+/// a picture of the chart, whose rectangle is not known yet.
 bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& flow) {
     if (state.measuring.is_running()) {
         const float width = std::min(saving_width(), flow.room());
@@ -162,7 +162,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     // Fix the range, so that the curves grow while the axis stays in place. Do not fix it for the current scene, which
-    // may have fewer polygons.
+    // may have far fewer polygons than the fixed range.
     widgets::LogChart("chart", curves.get(),
                       {.x = {.title = marked("polygons"), .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
                        .y = {.title = state.shows_operations ? marked("operations") : marked("time in ms")},

@@ -25,7 +25,7 @@ struct GrowthViewState {
     std::shared_ptr<BackgroundLog<GrowthRow>> log;  ///< filled during the measurement
     std::array<std::vector<GrowthRow>, 3> rows;     ///< one entry per GrowthScene
     int scene = 0;                                  ///< the GrowthScene shown and measured
-    int of_version = -1;                            ///< the session's scene version to which these rows belong
+    int of_version = -1;                            ///< the scene version to which the current scene's rows belong
     bool shows_operations = false;
     bool was_started = false;
     bool wants_picture = false;                 ///< save a picture of the chart in the next frame

@@ -14,8 +14,8 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
 /// position is outside that picture or if there is no such picture.
 std::optional<glm::ivec2> method_pixel_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 place);
 
-/// Follows this pixel from now on, or stops following it if it is followed already. If each step traces a single ray,
-/// goes instead to the step that traces this pixel's ray.
+/// Follows this pixel from now on, or stops following it if it is followed already. While ray casting is shown step by
+/// step, goes instead to the step that traces this pixel's ray.
 void choose_pixel(VisibilityParams& visibility, const HiddenResult& result, glm::ivec2 pixel);
 
 /// Returns the index in `fragments` of the polygon visible at a screen position in the camera's picture; −1 if there is

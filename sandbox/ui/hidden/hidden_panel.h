@@ -10,7 +10,7 @@ namespace viewing {
 
 struct HiddenPanelState {
     widgets::StepPlayer player;
-    int left_step = -1;  ///< the step as the panel last left it
+    int left_step = -1;  ///< the step when the panel or stop_at_other_step() last ran
     FailureFinder failure;
     bool restart_method = false;  ///< request: run the canceled work again
     bool cancel_method = false;   ///< request: cancel the current work

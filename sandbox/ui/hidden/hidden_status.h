@@ -12,7 +12,7 @@ namespace viewing {
 
 /// The results of the hidden-surface methods for the camera view, and the progress of newer ones.
 struct HiddenStatus {
-    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest one, perhaps for an earlier camera; null if none
+    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest answer, perhaps for an earlier camera; null if none
     std::optional<float> fraction;               ///< 0 … 1 while a method computes a newer answer
     bool shows_time = false;                     ///< false in pictures that must be reproducible
 };
@@ -26,7 +26,7 @@ std::optional<Problem> painter_problem(const HiddenAnswer& answer);
 /// Returns the progress of running work, such as "40%"; returns "100%" only once the work is done.
 std::string progress_text(float fraction);
 
-/// Shows "Running the method: 40%." in a view that has nothing else to show until its method has finished.
+/// Shows "Running the method: 40%." in a view that has nothing else to show until the method has finished.
 void tell_waiting(const HiddenStatus& hidden);
 
 }  // namespace viewing

@@ -14,7 +14,7 @@ struct OrderRow {
     int fragment = -1;       ///< index into the result's fragments; −1 if the place is not in the order
     std::string name;        ///< "box, polygon 12"
     std::string brief_name;  ///< "box 12"
-    std::string detail;      ///< the method's criterion: a distance, a node and the eye's side, or A or B
+    std::string detail;      ///< a distance (painter), A or B (Newell), or a node and the eye's side (BSP tree)
     ImU32 color = 0;         ///< the object's color
     bool is_reached = true;  ///< whether the step has reached this place
     bool is_current = false;

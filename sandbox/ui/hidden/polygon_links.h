@@ -11,7 +11,7 @@
 namespace viewing {
 
 /// Indices of a polygon in the result's `fragments` and of a node in its tree; −1 means none. The view under the
-/// pointer sets the hovered ones, which last for one frame.
+/// pointer sets the hovered indices, which last for one frame.
 struct PolygonLink {
     int hovered_fragment = -1, selected_fragment = -1;
     int hovered_node = -1, selected_node = -1;
@@ -28,8 +28,8 @@ struct PolygonLinks {
     std::shared_ptr<const std::vector<Polygon>> fragments;  ///< the links are indices into these
 };
 
-/// Call once a frame before drawing. If the fragments have changed, selects a fragment of the same source polygon as
-/// before, if there is one, and clears the links to nodes and hovered polygons.
+/// Call once a frame before drawing. If the fragments have changed, clears all links, but keeps the selected source
+/// polygon selected if it has a fragment.
 void keep_selection(PolygonLinks& links, const HiddenStatus& hidden);
 
 /// Call once a frame at its end. Applies the collected links.

@@ -10,7 +10,8 @@
 namespace viewing {
 namespace {
 
-/// On stage, a short list is in the type of sentences, because a step is about its numbers.
+/// On stage, a list that fits in the type of sentences uses that type, because a lesson's step refers to the list's
+/// numbers.
 ImFont* font_of(int lines, ImVec2 room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     constexpr float least_width = 300.0F;  // enough for "box, polygon 12" and "nearest vertex", design pixels

@@ -15,8 +15,8 @@ void draw_raster_row(Params& params);
 /// only one level.
 void draw_step_rows(Params& params, const HiddenResult& result);
 
-/// Draws one line with the same buttons, the buttons for single steps, and the step's progress. The line is for a view
-/// beside the picture, where it stays visible however far the panel is scrolled.
+/// Draws one line with the buttons of draw_step_rows(), buttons for single steps, and the step's progress. The line is
+/// for a view beside the picture, where it stays visible however far the panel is scrolled.
 void draw_step_line(Params& params, const HiddenResult& result);
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ enum class RungState { failed, decided, untried };
 struct Ladder {
     std::string p, q;                                      ///< names of polygons A and B; q is empty if there is no B
     std::array<RungState, newell_test_count - 1> rungs{};  ///< all untried if there is no B
-    std::string action;                                    ///< a sentence
+    std::string action;                                    ///< what the step does, as a sentence
 };
 
 /// Returns the statement about A and B that a test checks, untranslated.

@@ -1,5 +1,5 @@
-// How a kind of question is answered in the window. Each kind of VIEWING_QUESTION_KINDS has an entry, in answers.cpp or
-// in a source of its own; lesson/question_kind.h has its other half.
+// How the user answers each kind of question in the window. Each kind of VIEWING_QUESTION_KINDS has an entry in
+// answers.cpp. lesson/question_kind.h has the part of each kind that does not depend on the window.
 #pragma once
 
 #include "ui/lesson/answers.h"
@@ -9,7 +9,7 @@ namespace viewing {
 struct AnswerInput {
     /// See answers_height().
     float (*height)(const Ask& ask, float width, const widgets::Context& context, bool presents);
-    /// See draw_answers(), which has already made the fonts larger for an audience.
+    /// See draw_answers(), which first enlarges the fonts for an audience.
     bool (*draw)(LessonRun& run, const AnswerStyle& style, float width);
 };
 

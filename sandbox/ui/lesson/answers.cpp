@@ -20,10 +20,10 @@ namespace {
 constexpr float padding_x = 10.0F, padding_y = 4.0F, entry_gap = 5.0F;  ///< design pixels
 constexpr float letter_room = 24.0F;                                    ///< before a choice, for its letter
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
-constexpr float least_half = 330.0F;  ///< a half at least this wide has space for any choice
+constexpr float least_half = 330.0F;  ///< any choice fits into a column at least this wide
 
-/// A question's choices in one or two columns: two if the halves are wide, or if each choice fits into one line of a
-/// half.
+/// A question's choices in one or two columns: two if each column is at least `least_half` wide, or if each choice fits
+/// on one line of its column.
 struct Choices {
     Choices(const Ask& ask, float width, const widgets::Context& context, bool presents) {
         const float half = std::floor((width - entry_gap * context.scale) * 0.5F);
@@ -73,8 +73,8 @@ struct AnswerSizes {
 
     ImFont* font;
     ImFont* sign_font;
-    float scale;     ///< of gaps
-    float enlarged;  ///< of everything that grows with the type
+    float scale;     ///< scale factor of gaps
+    float enlarged;  ///< scale factor of everything that grows with the type
 
     float frame_height() const { return font->FontSize + 8.0F * scale; }
     float gap() const { return entry_gap * scale; }
@@ -119,8 +119,8 @@ std::vector<int> as_written(const Ask& ask) {
     return order;
 }
 
-/// Returns the height of the rows of tiles, in the question's order or in the order of its answer, whichever is
-/// greater, so that the answer moves nothing.
+/// Returns the height of the rows of tiles in the question's order or in the right order, whichever is greater, so that
+/// nothing moves when the answer is shown.
 float tiles_height(const Ask& ask, float width, const AnswerSizes& sizes) {
     const auto height = [&](const std::vector<int>& order) {
         return lay_out_tiles(ask, order, width, sizes, [](int, float, float, ImVec2) {});
@@ -209,7 +209,7 @@ void frame_right_answer() {
                                         px(2.0F));
 }
 
-/// Draws the fields. Returns true if Enter has just left the last one.
+/// Draws the fields. Returns true if Enter has just ended typing in the last one.
 bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float room) {
     const Ask& ask = run.step().ask;
     const bool shows_model = style.shows_right && run.model() && !run.model()->numbers.empty();
@@ -226,7 +226,7 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.columns == 4) {
         glm::dmat4 matrix = matrix_of_rows(answer.numbers);
-        // Fields are taller than plain numbers: keep the fields after the answer is given, as for a vector.
+        // Keep the fields after the answer is shown, as for a vector: plain numbers take less height than fields.
         widgets::Matrix("answer", matrix, {.editable = !style.presents, .read = typed_number, .unread = unread},
                         std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();

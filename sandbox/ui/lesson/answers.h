@@ -17,7 +17,7 @@ struct AnswerStyle {
 };
 
 /// Draws the input and edits the run's answer. Returns true when a click on a choice, or Enter in the last number
-/// field, has submitted the answer. Ordered answers are submitted with the Check button.
+/// field, has submitted the answer. Tiles are submitted with the Check button.
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width);
 
 }  // namespace viewing

@@ -29,7 +29,7 @@ void draw_ground(ImVec2 min, ImVec2 max, ImVec2 picture_max, ImTextureID texture
     draw->AddRectFilled(min, max, is_hovered ? palette().field_hovered : palette().field, rounding);
     draw->AddRectFilled(min, picture_max, palette().view_ground, rounding, corners);
     if (!texture) return;
-    // A narrower picture shows the middle of the thumbnail.
+    // A picture narrower than 16:9 shows the middle of the thumbnail.
     const float share = std::min(1.0F, (picture_max.x - min.x) / (picture_max.y - min.y) * 9.0F / 16.0F);
     draw->AddImageRounded(texture, min, picture_max, {0.5F - 0.5F * share, 1.0F}, {0.5F + 0.5F * share, 0.0F},
                           IM_COL32_WHITE, rounding, corners);

@@ -24,7 +24,7 @@ int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(c
 
 /// The size of a card that has its picture at the left of its text.
 struct FlatCard {
-    float width = 0.0F, picture = 0.0F;  ///< pixels; without a picture: 0
+    float width = 0.0F, picture = 0.0F;  ///< pixels; `picture` is 0 for a card without a picture
     float height = 0.0F;
 };
 /// Returns the smallest height of such a card at which its text is not cut off.

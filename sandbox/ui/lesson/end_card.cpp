@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-constexpr float card_width = 46.0F;  ///< of a card's lines, in widths of a letter M
+constexpr float card_width = 46.0F;  ///< width of the card's lines, in ems
 
 std::string short_id(const std::string& exercise) {
     return exercise.substr(0, exercise.find('-'));

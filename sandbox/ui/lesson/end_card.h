@@ -21,7 +21,8 @@ public:
     };
     /// Draws the card over the whole window. `presents`: for an audience, without buttons.
     Wishes draw(const LessonRun& run, bool presents, const Pictures& pictures);
-    /// Returns the picture that the card shows: that of the lesson's first step, after its answer.
+    /// Returns the picture that the card shows: the first step of the lesson or, in a lecture, of the current part,
+    /// after the step's answer.
     static CardPicture wanted_picture(const LessonRun& run);
     /// Returns the card's texts that do not occur in any lesson's steps, so that the fonts can be loaded with their
     /// characters.

@@ -40,12 +40,12 @@ private:
     std::string chosen_;  ///< the exercise to start once all exercises are generated
 };
 
-/// A page with two large pictures: the scene with the typed S or R, and the scene with the right one.
+/// A page with two large pictures: the scene with the typed matrix, and the scene with the right one.
 class TypedMatrix {
 public:
     bool is_open() const { return mine_.has_value(); }
-    /// Opens the page; `run` must be at a step whose answer is a matrix or a product, with a field that shows its
-    /// effect (Ask::shows_as).
+    /// Opens the page for the step that `run` is at. The step's answer must be a matrix or a product, and its
+    /// Ask::shows_as must not be empty.
     void open(const LessonRun& run);
     void close() { mine_.reset(); }
     void draw(const Pictures& pictures);

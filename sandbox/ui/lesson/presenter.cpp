@@ -115,7 +115,8 @@ bool PresenterMode::take_in_lesson(const KeyPress& press, Guide& guide, Session&
     }
 }
 
-/// A stray Escape must not end a lesson. Without a lesson nothing is lost.
+/// Escape hides the QR code or, if it is hidden, ends inking. It ends presenter mode only with Shift, or if there is no
+/// code, inking, or lesson: a stray Escape must not end a lesson.
 void PresenterMode::leave_by_escape(const KeyPress& press, const Guide& guide) {
     if (press.shift || (!inks_ && !shows_code_ && !guide.is_shown()))
         end();

@@ -1,5 +1,5 @@
-// Presenter mode: a lesson's step or, without a lesson, the current state, in front of an audience. It handles a
-// clicker's keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything underneath
+// Presenter mode shows a lesson's step or, without a lesson, the current state to an audience. It handles a clicker's
+// keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything under the overlays
 // stays live. See session/guide.h for the navigation through a lesson.
 #pragma once
 
@@ -40,7 +40,7 @@ public:
     /// Returns "3:20" while there is a timer, otherwise "".
     std::string clock() const;
     bool has_running_clock() const { return is_on_ && clock_runs_; }
-    /// Whether X is held without a lesson: `params` are then those from before the latest edit.
+    /// Whether X is held without a lesson. The session's params are then those from before the latest edit.
     bool holds_before() const { return held_.has_value(); }
     double presented_s() const { return presented_s_; }  ///< seconds since presenting began
     /// Whether the screen is black or white.
@@ -51,7 +51,7 @@ public:
     /// Whether the QR code of the step or state is shown.
     bool shows_code() const { return is_on_ && shows_code_; }
     void show_code() { shows_code_ = true; }
-    /// Whether held letter keys belong to the presentation and move nothing.
+    /// Whether letter keys type vote counts, so that holding them does not move the camera.
     bool takes_letters() const { return is_on_ && votes_.is_typing(); }
 
     /// Draws on top of everything else. `room`: the part of the window above the lesson's text.
@@ -79,7 +79,7 @@ private:
     int choice_ = 0;     ///< the step chosen in the overview
     std::string typed_;  ///< the digits of a step number that have been typed so far
     double clock_s_ = 0.0, presented_s_ = 0.0;
-    std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step; those without a lesson come last
+    std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step; strokes without a lesson have the greatest key
     std::optional<Params> held_;                      ///< the parameters that return when X is released
     std::optional<bool> wants_full_screen_;
 };

@@ -14,7 +14,7 @@ namespace {
 /// Sizes in pixels. They do not depend on the numbers, so that nothing else moves when the tiles do.
 struct ProductSizes {
     static constexpr float column_gap = 6.0F, bracket = 5.0F, matrix_gap = 14.0F, line_gap = 4.0F;  ///< design pixels
-    static constexpr int characters = 5, decimals = 2;                                              ///< of −0.56
+    static constexpr int characters = 5, decimals = 2;                                              ///< for −0.56
 
     explicit ProductSizes(const widgets::Context& context)
         : font(context.fonts.small_number),

@@ -1,6 +1,6 @@
 // The first page: what the program is, where to begin, and the lessons in groups by topic, each with its progress.
-// Buttons bypass the lessons and lead to a recent file, the exercises, or the free view. Also the page that shows a
-// lesson's steps.
+// Buttons bypass the lessons and lead to a recent file, the exercises, or the free view. draw_overview() draws the page
+// that shows a lesson's steps.
 #pragma once
 
 #include <functional>

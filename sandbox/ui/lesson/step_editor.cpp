@@ -89,7 +89,7 @@ void StepEditor::follow(const LessonRun& run) {
 
 void StepEditor::write(const Result<std::string>& text, Guide& guide) {
     error_.clear();
-    parts_.clear();  // shows the file's content again
+    parts_.clear();  // so that follow() reads them again from the file's text
     if (!text) {
         error_ = text.error();
         return;

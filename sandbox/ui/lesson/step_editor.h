@@ -1,5 +1,5 @@
-// An editor for a step of the user's own lesson, beside the step itself: its texts and answers, its place among the
-// steps, and the states of its question and its answer. Each edit is written to the file, which the guide then reads
+// An editor beside the shown step of the user's own lesson. It edits the step's texts and answers, the order of the
+// steps, and the states of the step's question and answer. Each edit is written to the file, which the guide then reads
 // again.
 #pragma once
 

@@ -92,7 +92,7 @@ bool VotePanel::type(const KeyPress& press, Ballot& ballot) {
     trouble_.clear();
     if (press.key == Key::backspace && !typed_.empty()) typed_.pop_back();
     if (const char sign = typed_sign(press.key); sign != '\0' && typed_.size() < longest) typed_ += sign;
-    return press.key < Key::f1;  // other letters have no effect
+    return press.key < Key::f1;  // also uses up letters that have no effect
 }
 
 bool VotePanel::take(const KeyPress& press, LessonRun& run) {

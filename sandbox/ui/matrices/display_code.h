@@ -1,5 +1,5 @@
-// The lecture's display(), with the camera's numbers filled in. It is part of the matrix column and also has its own
-// view.
+// The code of the lecture's display() function, with the camera's numbers filled in. The code is part of the matrix
+// column and also has its own view.
 #pragma once
 
 #include "frame/derive.h"

@@ -65,7 +65,7 @@ struct LineStyle {
     std::size_t digits;
 };
 
-/// Draws p: as text or, if the point is not a vertex, as number fields. `text`: its value.
+/// Draws p: as text or, if the point is not a vertex, as number fields. `text`: the value of p.
 void point_line(Params& params, float column, const std::string& text) {
     if (!params.follow->point || widgets::IsCovered("follow:p"))
         return followed_line("follow:p", "p", column, text, Role::point, widgets::IsCovered("follow:p"));
@@ -91,8 +91,8 @@ void offer_to_type(Params& params, float left, const glm::dvec3& start) {
     widgets::Tooltip(type_button, "Follows a point that you can type here and drag in the views, instead of a vertex.");
 }
 
-/// Draws p's path through V and P to its pixel, or its first step alone. If a lesson covers one of these matrices, also
-/// covers the numbers that would give it away.
+/// Draws p's path through V and P to its pixel or, if `only_view`, only V p. If a lesson covers one of these matrices,
+/// also covers the numbers that would give it away.
 void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style, bool only_view) {
     const CameraWay way = camera_way(params, derived, derived.followed->point_world);
     const bool is_covered = widgets::IsPartCovered("matrix:V") || (!only_view && widgets::IsPartCovered("matrix:P"));

@@ -15,13 +15,13 @@ namespace viewing {
 /// or all of them.
 enum class PointNumbers { plane, shadow, mirror, view, camera, both };
 
-/// Whether a list of names, such as those of the shown matrices, has this one.
+/// Whether `names`, for example those of the shown matrices, contains `name`.
 bool is_named(std::span<const std::string> names, std::string_view name);
-/// Whether the part of the matrix column is a matrix, not the followed point or the lecture's display().
+/// Whether this part of the matrix column is a matrix. The other parts are the followed point and the lecture's code.
 bool is_matrix(std::string_view name);
 
-/// Returns the transformations to show beside these matrices: those of the camera's matrices if S and R are not listed,
-/// otherwise those of the plane, without the shadow's or the mirror's if nothing draws it.
+/// Returns the transformations to show beside these matrices: the camera's if V or P is listed, but neither S nor R;
+/// otherwise the plane's. If only shadows or only mirrors are drawn, omits the plane's other transformation.
 PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow = true, bool has_mirror = true);
 
 /// Returns the number of lines, without the heading.

@@ -155,7 +155,7 @@ bool show_camera(const Column& column, std::span<const char* const> buttons) {
                        swapped ? tr("C = R_y R_x R_z T (mistake)") : "C = T R_y R_x R_z", buttons, column.pastes);
 }
 
-/// Draws V and, if given, another button; returns whether that was pressed.
+/// Draws V and, unless `button` is null, that button; returns whether the button was pressed.
 bool show_view(const Column& column, const char* button) {
     const SlipParams& slips = column.session.params.slips;
     const std::string inverse = identity_text("V C = I", column.derived.facts.view_residual);
@@ -201,7 +201,7 @@ void show_projection(const Column& column) {
         params.camera_overrides.clip_from_view, column.pastes);
 }
 
-/// Draws the slide's display().
+/// Draws the slide's display() function with the camera's numbers.
 void show_display(const Column& column) {
     const char* const slide = tr("the slide's display()");
     if (!matrix_heading(marked("Camera movement"), "", slide, Role::camera, ImGui::GetContentRegionMax().x))
@@ -255,7 +255,7 @@ constexpr std::array<MatrixTitle, 4> matrix_titles = {{{marked("View"), Role::ca
                                                        {marked("Shadow"), Role::light},
                                                        {marked("Reflection"), Role::mirror}}};
 
-/// Draws the heading of a matrix that does not fit; returns whether it was clicked.
+/// Draws only the heading of a matrix whose numbers do not fit; returns whether the heading was clicked.
 bool folded_heading(std::size_t number) {
     const ImVec2 start = ImGui::GetCursorPos();
     const bool is_clicked =
@@ -280,8 +280,8 @@ PointNumbers numbers_in(std::span<const std::string> listed, const Session& sess
 
 constexpr float symbols_padding = 4.0F;  ///< above and below each part of a list that has symbols; design pixels
 
-/// Returns the height of the listed parts below each other, if the first `symbolic` matrices have symbols. `growth`:
-/// of the matrices' numbers and symbols.
+/// Returns the height of the listed parts, one below the other, if the first `symbolic` matrices have symbols.
+/// `growth`: the scale factor of the matrices' numbers and symbols.
 float height_of(std::span<const std::string> listed, std::size_t symbolic, const Session& session,
                 float growth = 1.0F) {
     const float padding = symbolic > 0 ? px(symbols_padding) : 0.0F;

@@ -1,4 +1,5 @@
-// The right column: V or C, P, S and R as on the slides, the followed point, and the slide's display() with numbers.
+// The right column: V or C, P, S and R as on the slides, the followed point, and the slide's display() function with
+// the camera's numbers.
 #pragma once
 
 #include <array>
@@ -24,7 +25,8 @@ enum class MatrixPart { heading, numbers, symbols };
 inline constexpr std::array<const char*, 4> matrices_in_order = {"V", "P", "S", "R"};
 
 /// Decides how much of each matrix in matrices_in_order a column shows, so that nothing is cut off. The matrices in
-/// `first`, with their symbols, come before the others. `heights`: the heights of one matrix, by MatrixPart.
+/// `first` get space for numbers and symbols before the others get any. `heights`: the heights of one matrix, by
+/// MatrixPart.
 std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& heights,
                                        std::span<const std::string> first);
 

@@ -113,7 +113,7 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     const bool is_covered = widgets::IsCovered(target), is_part_covered = widgets::IsPartCovered(target);
     const bool tells_difference = !is_part_covered && !widgets::IsCovered("sentences");
     std::string note = is_covered ? "" : told_fact(fact, shown.facts), explains = tr(shown.explains);
-    if (by_hand && is_part_covered) buttons = buttons.first(buttons.size() - 1);  // omit Edit
+    if (by_hand && is_part_covered) buttons = buttons.first(buttons.size() - 1);  // omit Edit or Release
     if (by_hand && *by_hand && !tells_difference) note = tr("by hand");
     if (by_hand && *by_hand && tells_difference) {
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);

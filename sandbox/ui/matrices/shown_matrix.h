@@ -19,7 +19,7 @@ float place_at_right(const char* button);
 /// Draws "Shadow S   rank 3 · S² = (Π·L) S" up to `right`. Returns false if the note does not fit and has to go below.
 bool matrix_heading(const char* title, const char* letter, const std::string& note, widgets::Role role, float right);
 
-/// A matrix and everything around it.
+/// A matrix with the contents of its heading, tooltip and entries.
 struct ShownMatrix {
     const char* title;
     const char* letter;

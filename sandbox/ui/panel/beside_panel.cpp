@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-/// Draws the fields that differ, each with a button that makes it equal again.
+/// Draws the settings of the second picture that differ, each with a button that removes the difference.
 void difference_rows(Params& params) {
     std::vector<std::string>& all = params.view.beside.set.all;
     std::size_t removed = all.size();

@@ -15,7 +15,7 @@ enum class OtherState { before_edit, preset, fixed };
 /// nullopt if there is none, or if it differs in nothing that the second picture can show.
 std::optional<Params> other_state(OtherState which, const Session& session, const std::vector<Problem>& problems);
 
-/// Says in the current language why there is no such state.
+/// Says, in the current language, why other_state() returns nullopt.
 const char* why_no_other(OtherState which);
 
 void beside_section(Session& session, const std::vector<Problem>& problems);

@@ -37,7 +37,7 @@ void type_control(Params& params) {
     if (changed) clamp_to_ranges(params);  // an infinite far needs perspective
 }
 
-/// Draws the switch for an explicit window; the window starts as that of the current picture.
+/// Draws the switch for an explicit window, which starts with the edges of the current picture.
 void window_control(Params& params, const Derived& derived) {
     if (widgets::IsListing()) return;
     ProjectionParams& projection = params.projection;

@@ -1,5 +1,5 @@
-// Links below the panel to its sections that are out of view: they show that there are more controls, and one click
-// leads there. Without them, a short window hides whole topics.
+// Links below the panel to the sections that are out of view. They show that there are more controls, and a click on a
+// link goes to its section. Without the links, a short window hides whole topics.
 #pragma once
 
 #include <string>

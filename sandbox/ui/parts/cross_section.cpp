@@ -32,7 +32,7 @@ void CrossSection::fit(std::span<const glm::dvec3> points_world, const Margins& 
 }
 
 ImVec2 CrossSection::place(const glm::dvec2& flat) const {
-    // Nothing is visible farther away. Clamping the length keeps the direction of lines.
+    // Points farther away than this are never visible. Clamping their distance keeps the direction of lines.
     constexpr double farthest_px = 1e6;
     glm::dvec2 offset = (flat - middle_) * scale_;
     const double length = glm::length(offset);

@@ -27,8 +27,8 @@ enum class Handle {
     left
 };
 
-/// Returns the field that a handle changes; "" for none, and for the camera and its direction, since flying can change
-/// their fields anyway.
+/// Returns the field that a handle changes; a lesson may lock the field and so the handle. Returns "" for none, and for
+/// the camera and its direction, which are never locked, since flying changes the same fields anyway.
 const char* field_of(Handle handle);
 
 /// The position of each handle in the world.
@@ -43,7 +43,7 @@ struct HandlePlaces {
         glm::dvec3 eye, direction_tip;
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
         bool drags_near = true;               ///< false: P is entered by hand
-        bool drags_far = true;                ///< false: by hand, or infinite; `far` is then where the frustum ends
+        bool drags_far = true;                ///< false: P by hand, or infinite far; the frustum then ends at `far`
         bool has_window = false;              ///< true: `near` begins with the edges' handles, from Handle::bottom on
     };
     std::optional<Camera> camera;
@@ -74,7 +74,7 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place);
 
 /// Moves the handle with the pointer. The light, the camera, and the followed point move parallel to the picture or,
-/// with `along_y`, only along the world's y axis; the followed point then stops being a vertex. The plane moves along
+/// with `along_y`, only along the world's y axis. A dragged followed point is no longer a vertex. The plane moves along
 /// its normal, the normal's tip around the patch's center, the camera's direction around its eye, and the near and far
 /// planes along that direction. Preserves the length and sign of the plane's normal, near < far, and the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);

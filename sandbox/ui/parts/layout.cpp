@@ -25,7 +25,7 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     if (!arrangement.halves) return;
     layout.beside = layout.camera;
     const float middle = (layout.camera.min.x + layout.camera.max.x) * 0.5F;
-    // Make both the same size, so that corresponding pixels are in the same place.
+    // Make both pictures the same size, so that corresponding pixels are in the same place.
     const float width = std::floor((layout.camera.width() - std::max(gap, 2.0F)) * 0.5F);
     layout.camera.max.x = layout.camera.min.x + width;
     layout.beside.min.x = std::max(middle, layout.beside.max.x - width);
@@ -46,15 +46,16 @@ struct StagePart {
     Rect* rect;
     ImVec2 least;       ///< a smaller part is hard to read
     float most_height;  ///< more height would not help
-    float lowest;       ///< the least height on a crowded stage; only of views
+    float lowest;       ///< for views only: the least height on a crowded stage
     bool is_view;       ///< has a header
 };
 
-/// Whether the parts of a column have about their least heights, or its views are shorter, or more is missing.
+/// How well the parts of a column fit. whole: at about their least heights. tight: only with clearly shorter views.
+/// cut: only with views near or below their lowest heights.
 enum class Fit { whole, tight, cut };
 
 /// Places the parts from top to bottom, the last one at the lower edge. Each part gets its least height; parts that can
-/// use more share the rest. If the column is too short, first the views and then all parts shrink by the same factor.
+/// use more share the rest. If the column is too short, the views shrink first, and then all parts by the same factor.
 Fit place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
     const float gap = 10.0F * scale;
     float fixed = gap * static_cast<float>(parts.size() - 1), least = 0.0F;
@@ -97,8 +98,9 @@ Fit place_column(const std::vector<StagePart>& parts, const Rect& column, float 
     return least - tight * spare > available ? Fit::tight : Fit::whole;
 }
 
-/// A few controls are on a plate over the lower right corner of the picture if a column would be nearly empty, or too
-/// short for its views and for the symbols of its first matrix. A plate with more controls would cover objects.
+/// At most this many rows of controls go on a plate over the picture's lower right corner; more would cover objects.
+/// The plate replaces a column that would have nothing but the controls, or relieves a column that would be too short
+/// for its views or for the symbols of its first matrix.
 constexpr int most_rows_on_plate = 2;
 
 Rect plate_over(const Rect& picture, const Telling& telling, float width, float scale) {
@@ -110,8 +112,8 @@ Rect plate_over(const Rect& picture, const Telling& telling, float width, float 
 }
 
 /// Lays out a lesson's step or a state for an audience. The main view is as large as possible. To its right, a column
-/// contains everything else that is named: views, matrices, and controls, from top to bottom. The column is as narrow
-/// as its parts allow. A preset's caption is below the main view and the column, like a lesson's texts.
+/// contains everything else that the step or state shows: views, matrices, and controls, from top to bottom. The column
+/// is as narrow as its parts allow. A preset's caption is below the main view and the column, like a lesson's texts.
 void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& arrangement) {
     const Telling& telling = arrangement.telling;
     const float gap = 10.0F * scale;

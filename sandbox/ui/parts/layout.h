@@ -50,9 +50,9 @@ struct Arrangement {
     ViewName maximized = ViewName::none;
     bool beside_matrices = false;      ///< the maximized view needs the matrices beside it
     bool prefers_lower_right = false;  ///< if only one of the lower views fits
-    float least_lower = 240.0F;        ///< least width of a lower view, two of which must fit; design pixels
-    float least_area = 0.0F;           ///< least area of such a view, in square design pixels
-    bool halves = false;               ///< two pictures side by side instead of the camera's
+    float least_lower = 240.0F;        ///< least width of each lower view if both are shown
+    float least_area = 0.0F;           ///< least area of each lower view if both are shown, in square design pixels
+    bool halves = false;               ///< two pictures side by side instead of one in the camera view
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view
     StageViews stage;                  ///< when presenting

@@ -47,8 +47,8 @@ MatrixCells projection_cells(const Params& params, bool clip_zero_to_one);
 /// Marks the entries whose displayed numbers differ between the two matrices.
 void mark_changed(MatrixCells& cells, const glm::dmat4& now, const glm::dmat4& before);
 
-/// The roles of letters: l and L belong to the light; n, Π, and a to d belong to the plane; n, f, and h in P belong to
-/// the camera.
+/// The roles of letters. In S, l and L belong to the light, and n, d, and Π to the plane. In R, a to d belong to the
+/// plane. In P, n, f, h, and the window's l, r, b, and t belong to the camera.
 std::span<const widgets::LetterRole> shadow_roles();
 std::span<const widgets::LetterRole> mirror_roles();
 std::span<const widgets::LetterRole> camera_roles();

@@ -51,7 +51,7 @@ public:
             if (!only_results || !line.is_step) height += of(line, width, false);
         return height;
     }
-    /// The same for a line in a column of the flow.
+    /// Height of a line in a column of the flow; 0 for a step if the flow omits steps.
     static float in_column(const DerivationFlow& flow, const DerivationLine& line) {
         return flow.is_short && line.is_step ? 0.0F : of(line, flow.column.x, true);
     }
@@ -86,7 +86,8 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool m
     const widgets::Context& context = widgets::CurrentContext();
     const bool is_stage = widgets::HasPlainTitles();
     DerivationFlow flow;
-    // On stage, lines are longer, so text beside the figure would be cut off unless the view is very short.
+    // On stage, lines are longer: in a narrow view, text beside the figure would be cut off unless the view is at least
+    // twice as wide as it is high.
     const float least_aspect = is_stage && room.x < px(520.0F) ? 2.0F : 1.3F;
     flow.is_wide = room.x >= px(420.0F) && room.x >= least_aspect * room.y;
     const float width = flow.is_wide ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);

@@ -18,7 +18,7 @@ bool is_large(const Overlay& overlay) {
     return overlay.rect().width() >= px(560.0F);
 }
 
-/// Labels the middle of a line with "symbol = number", or with the number alone.
+/// Labels the middle of a line with "symbol = number" or, in a small view, with the number alone.
 void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
              ImU32 color) {
     const std::string number = number_text(value, 2);

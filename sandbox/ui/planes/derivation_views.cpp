@@ -96,7 +96,8 @@ void tell_point(Lines& lines, const Derived& derived, const char* letter) {
 void tell_ray(Lines& lines, ShadowRay ray) {
     if (ray == ShadowRay::regular) return;
     lines.push_back(note_line(sentence_of(ray)));
-    if (ray != ShadowRay::point_in_plane) lines.back().kind = DerivationLine::Kind::trouble;  // no error in that case
+    // A point in the plane is no error.
+    if (ray != ShadowRay::point_in_plane) lines.back().kind = DerivationLine::Kind::trouble;
 }
 
 DerivationLine plane_line(const glm::dvec4& unit_plane) {
@@ -160,7 +161,8 @@ struct Derivation {
     std::function<void()> form = {};         ///< draws what is below the last line
 };
 
-/// The lines that are written once the state's step is reached. write() draws those in a range of indices.
+/// A derivation's lines, some of which the state's step has not reached. write() draws the lines in a range of indices,
+/// without the counted lines that are not reached.
 struct WrittenLines {
     const Lines& all;
     std::size_t counted, written, behind;  ///< the first counted line; the ends of the written and the counted lines
@@ -269,7 +271,7 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
                              "= " + derivation_vector(found.light_world)}});
     shown.before.push_back({DerivationLine::Kind::equation, {"p", "= " + derivation_vector(found.point_world)}});
     shown.before.push_back(plane_line(found.unit_plane));
-    shown.before.back().is_step = true;  // the results contain its numbers
+    shown.before.back().is_step = true;  // the results contain the plane's numbers
     shown.lines = shadow_lines(found, forms.blinn.has_value());
     tell_point(shown.after, derived, "p");
     shown.draw_figure = [&](const Rect& figure) { draw_shadow_diagram(figure, found, 3.0 * plane.patch.extent); };
