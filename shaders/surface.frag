@@ -91,7 +91,7 @@ AT(6) in float clip_distance[CLIP_PLANES];
 #endif
 
 #ifdef DEPTH_OF_PLANE
-uniform vec3 depth_in_plane;  // how window depth depends on x, y and 1
+uniform vec3 depth_in_plane;  // window depth = dot(depth_in_plane, vec3(x, y, 1)), with x and y in pixels
 #endif
 #ifdef WRITE_DEPTH
 #ifndef FROM_PICTURE

@@ -10,7 +10,7 @@ AT(3) out vec3 vertex_albedo;
 AT(4) flat out vec2 ids;
 #endif
 
-// SEPARATE: the outputs are the same for all fragment stages, no matter which of them a stage reads.
+// SEPARATE: several fragment stages share this stage, so it has the same outputs whichever of them they read.
 #ifdef SEPARATE
 out gl_PerVertex {
     vec4 gl_Position;

@@ -1,5 +1,5 @@
-// A schema and a reader must judge alike: the test gives documents, each with one random change, to both. The schema's
-// judge is an independent validator, Debian's package python3-jsonschema.
+// Tests that a JSON Schema and the program's reader accept the same documents. Both get each document unchanged, then
+// with one random change at a time. An independent validator, Debian's package python3-jsonschema, applies the schema.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ inline std::vector<Json> files_of(const char* folder) {
     return documents;
 }
 
-/// Returns whether each document is valid; each is one line of JSON.
+/// Returns for each document, which is one line of JSON, whether it is valid.
 inline std::vector<bool> judged(const std::string& schema, const std::vector<std::string>& documents) {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("agreement-" + std::to_string(::getpid()));
@@ -63,7 +63,7 @@ for line in open("documents"): print("yes" if validator.is_valid(json.loads(line
     return verdicts;
 }
 
-/// Changes one place of a document: removes it, gives it another value, repeats it, or adds a member or an item.
+/// Changes one value in a document: removes or replaces it, sets a member of it, or makes it a list of equal items.
 class OneChange {
 public:
     explicit OneChange(unsigned seed) : random_(seed) {}
@@ -157,9 +157,9 @@ private:
     std::vector<std::string> seen_;
 };
 
-/// Changes each of the documents `count` times, or a tenth as often under the sanitizers. The reader returns its
-/// complaint, or "". `only_reader` are parts of complaints about what a schema cannot express; the reader alone refuses
-/// such a document.
+/// Checks `count` versions of each document, of which the first is unchanged; a tenth as many under the sanitizers.
+/// `complaint` returns the reader's error message, or "". `only_reader`: parts of messages about rules that a schema
+/// cannot express, so that only the reader refuses such a document.
 inline void expect_agreement(const std::string& schema, const std::vector<Json>& documents, int count, unsigned seed,
                              const std::function<std::string(const std::string& text)>& complaint,
                              const std::vector<std::string>& only_reader) {
@@ -190,7 +190,7 @@ inline void expect_agreement(const std::string& schema, const std::vector<Json>&
     }
     std::cout << texts.size() << " documents: " << accepted << " accepted, " << excepted
               << " refused only by the reader\n";
-    if (is_sanitized) return;  // too few documents for shares
+    if (is_sanitized) return;  // too few documents to check what share is accepted
     EXPECT_GT(accepted, texts.size() / 20);
     EXPECT_LT(accepted + excepted, texts.size() * 19 / 20);
 }

@@ -32,7 +32,7 @@ struct BspNode {
     int depth = 1;                              ///< 1 at the root
     int first_fragment = 0, fragment_count = 0; /**< a run of BspTree::fragments: the polygons in the plane, the lowest
                                                      source last, so that it is visible where they overlap */
-    bool sorted = true;                         ///< false if the build had stopped: its polygons are unsorted
+    bool sorted = true;                         ///< false if the build stopped earlier: the polygons are unsorted
 
     int splitter_source = 0;  ///< the polygon that defines the plane
     int input_count = 0;      ///< polygons that reached this node

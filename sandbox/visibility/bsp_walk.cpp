@@ -1,4 +1,4 @@
-// Traverses the tree for one eye, without recursion, since a convex mesh makes the tree as deep as the mesh has
+// Traverses the tree for one eye, without recursion, since the tree of a convex mesh has as many levels as the mesh has
 // triangles. Read software_zbuffer.cpp next.
 #include <cmath>
 

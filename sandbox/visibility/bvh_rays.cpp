@@ -64,7 +64,7 @@ VIEWING_INLINE int count_of(unsigned bits) {
 template <typename Number>
 using Three = std::array<Number, 3>;
 
-// These compute the same sums as glm::cross and glm::dot, so that a ray has the same hits alone and in a group.
+// cross() and dot() compute the same sums as glm's, so that a ray has the same hits alone and in a group.
 template <typename A, typename B>
 VIEWING_INLINE auto cross(const A& a, const B& b) {
     return Three<std::decay_t<decltype(a[1] * b[2])>>{a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0],
@@ -125,8 +125,8 @@ struct Bvh::Together {
             const Double size = from_middle[axis] < 0.0 ? -from_middle[axis] : from_middle[axis];
             away = size > away ? size : away;
         }
-        // This is sixteen times the rounding error of single precision at such distances, and twice the largest total
-        // error of the steps below.
+        // The room is sixteen times the rounding error of single precision at the distance `away`, and twice the
+        // largest total error of the steps below.
         const Double room = away * 0x1p-20;
         const auto put = [part](Float& to, const Double& from) {
             for (std::size_t lane = 0; lane < half; ++lane) to[part * half + lane] = static_cast<float>(from[lane]);

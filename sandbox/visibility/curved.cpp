@@ -79,7 +79,7 @@ CurvedHits intersect_cone(const Ray& ray) {
     const double c = o.x * o.x + o.z * o.z - below_tip * below_tip;
     const Interval slab = within_slab(ray);
     if (slab.empty()) return hits;
-    if (a == 0.0) {  // the ray is parallel to a line on the side: it crosses at −c / 2b, and 2 b t + c < 0 inside
+    if (a == 0.0) {  // the ray is parallel to a line on the side: it crosses once, at −c / 2b; 2 b t + c < 0 inside
         if (b != 0.0) {
             const double crossing = -c / (2.0 * b);
             add_interval(hits, common(slab, b > 0.0 ? Interval{-infinity, crossing} : Interval{crossing, infinity}));

@@ -38,7 +38,7 @@ enum class GrowthScene { small_triangles, large_triangles, own_polygons };
 
 struct GrowthRequest {
     GrowthScene scene = GrowthScene::small_triangles;
-    std::vector<Polygon> own_polygons{};  ///< for own_polygons; a row uses up to its count of them, evenly spaced
+    std::vector<Polygon> own_polygons{};  ///< for GrowthScene::own_polygons; each row uses some of them, evenly spaced
     std::vector<int> counts{10, 30, 100, 300, 1'000, 3'000, 10'000, 30'000, 100'000};
     int width = 320, height = 240;         ///< size of the picture in pixels; at least 1
     std::optional<Viewpoint> viewpoint{};  ///< if none, the view contains the whole scene
@@ -67,8 +67,8 @@ struct GrowthRow {
     std::int64_t work() const { return operations + pixels_painted; }
 };
 
-/// Returns the polygons for a given count: `count` random triangles, the same ones with which the list for any larger
-/// count begins; or at most `count` of the scene's own polygons.
+/// Returns the polygons for a given count: `count` random triangles, or at most `count` of the scene's own polygons.
+/// The triangles for a larger count begin with those for a smaller one.
 std::vector<Polygon> growth_polygons(const GrowthRequest& request, int count);
 
 /// Measures all methods at the lowest count, then at the next one, and so on; calls `on_row` with each row as it is

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-constexpr double small_radius = 0.025;  ///< radius of the sphere, whose diameter is 2.5 % of the cube's side of 2
+constexpr double small_radius = 0.025;  ///< of a small triangle's sphere: its diameter is 2.5 % of the cube's side of 2
 
 /// Random numbers that are the same with every standard library, unlike those of std::uniform_real_distribution.
 class Chance {

@@ -1,4 +1,4 @@
-// An image of polygon IDs. Every method here draws one, so that methods can be compared pixel by pixel. Read
+// An image of polygon IDs. Every hidden-surface method draws one, so that methods can be compared pixel by pixel. Read
 // difference.h next.
 #pragma once
 

@@ -1,7 +1,8 @@
-// Keeps the list sorted by farthest vertex. At first, P is the farthest polygon. A Q that must be drawn first becomes
-// P, so P can then be anywhere in the list; if that leads back to an earlier P, something is cut. A polygon that
-// becomes P again continues at the Q where it stopped, because it has already passed its tests against everything
-// farther; its pieces pass these tests too. Read software_zbuffer.cpp next.
+// Keeps the undrawn polygons sorted by farthest vertex. P is the farthest polygon at first. If P may hide a Q that may
+// be drawn first, Q becomes P, so P can then be anywhere in the list. If neither may be drawn first, or if Q was P
+// before and still waits, P or Q is cut. A polygon that becomes P again continues at the Q where it stopped, because it
+// has already passed its tests against every farther polygon; its pieces pass these tests too. Read
+// software_zbuffer.cpp next.
 #include "visibility/newell.h"
 
 #include <algorithm>
@@ -107,7 +108,7 @@ private:
         }
     }
 
-    /// Decides what happens to the chain's last fragment: it is drawn, another one goes first, or something is cut.
+    /// Decides what happens to P, the chain's last fragment: P is drawn, a Q becomes P, or one of the two is cut.
     void advance() {
         if (is_canceled(progress_)) return stop_canceled();
         if (chain_.empty()) join_chain(list_.back());
@@ -272,7 +273,7 @@ private:
     std::vector<double> let_go_beyond_;  ///< per fragment: as P, it passed its tests against every Q farther than this
     std::vector<bool> is_in_chain_;      ///< by fragment
     std::vector<int> list_;              ///< not yet drawn; the next one to draw is last
-    std::vector<int> chain_;             ///< P is last, after those that wait for it
+    std::vector<int> chain_;             ///< P is last, after the fragments that wait until P is drawn
     NewellOrder result_;
 };
 

@@ -74,8 +74,8 @@ public:
 private:
     static constexpr Span empty_span{1e300, -1e300};
 
-    /// Clips the polygon to the part where `distance` is not negative. Computes cuts from inside to outside, so
-    /// neighbors get the same ones.
+    /// Clips the polygon to the part where `distance` is not negative. Computes cuts from inside to outside, so that
+    /// neighbors get the same corners.
     template <typename Distance>
     void keep_where(Distance distance) {
         if (std::all_of(clip_.begin(), clip_.end(), [&](const glm::dvec4& p) { return distance(p) >= 0.0; })) return;
@@ -172,7 +172,7 @@ private:
         return true;
     }
 
-    /// Records the watched fragment, before the row is written.
+    /// Records a fragment of the watched pixel, before its row is written.
     template <PaintRule rule>
     void touch(int x, int y, std::int64_t number) {
         const std::size_t at = result_.image.index(x, y);

@@ -1,4 +1,4 @@
-// Benchmarks of parts of our own code in one process. ratios.cpp compares whole programs with the floor.
+// Benchmarks of parts of our own code in one process. ratios.cpp compares the whole program with a minimal one.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ Image picture() {
     return image;
 }
 
-/// Makes an image of random bytes: no two rows are equal, and every pixel exceeds the threshold.
+/// Makes an image of random bytes: no row equals picture()'s, and nearly every pixel differs beyond the threshold.
 Image noise() {
     std::mt19937 random(1);
     Image image = picture();

@@ -68,7 +68,7 @@ std::optional<double> idle_percent(const std::string& sandbox) {
     const double begin_ms = window.cpu_ms();
     std::this_thread::sleep_for(5s);
     const double spent_ms = window.cpu_ms() - begin_ms;
-    if (window.has_ended()) return std::nullopt;  // it failed to start
+    if (window.has_ended()) return std::nullopt;  // the window failed to start
     return spent_ms / 5000.0 * 100.0;
 }
 

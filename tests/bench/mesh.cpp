@@ -1,7 +1,7 @@
 // Reads a million-triangle Wavefront file with our reader or with tinyobjloader, the fastest reader in Debian.
 //
 // bench-mesh write FILE                    writes a torus of 1,000 × 500 quads with normals
-// bench-mesh load FILE sandbox|tinyobj     reads it; prints milliseconds, CPU milliseconds, the megabytes of the
+// bench-mesh load FILE sandbox|tinyobj     reads FILE; prints milliseconds, CPU milliseconds, the megabytes of the
 //                                          resulting arrays, and the megabytes by which the process grew at its peak
 #include <sys/resource.h>
 #include <tiny_obj_loader.h>

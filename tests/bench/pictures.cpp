@@ -1,7 +1,8 @@
 // The counterpart of floor.cpp: draws many pictures in one process, with the sandbox's code for windows and snapshots.
 //
-// bench-pictures STATE N WxH read|png      N camera pictures, each rotated a bit more, read back (png: also encoded);
-//                                          prints pictures per second and CPU milliseconds per picture
+// bench-pictures STATE N WxH read|png      N camera pictures, before each of which camera and light move a bit, read
+//                                          back (png: also encoded); prints pictures per second and CPU milliseconds
+//                                          per picture
 // bench-pictures STATE N WxH window        N whole windows with every view redrawn, read back; prints the same numbers
 // bench-pictures STATE N WxH flight        the same while the forward key is held; as in the window, large meshes are
 //                                          then drawn coarsely

@@ -1,10 +1,10 @@
-// Compares the sandbox with the floor in one run, starting them alternately so that a warm or busy machine affects both
-// equally. Reports medians. Times are compared as wall time and as CPU time (user and system, all threads), since wall
-// time is noisy on a busy machine. The exit status is 0 unless a program cannot be run.
+// Compares the sandbox with the floor, the minimal program of floor.cpp. Starts the two alternately, so that a warm or
+// busy machine affects both equally. Reports medians. Times are compared as wall time and as CPU time (user and system,
+// all threads), since wall time is noisy on a busy machine. The exit status is 0 unless a program cannot be run.
 //
 // bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]
 //     FOLDER contains bench-floor, bench-pictures and bench-mesh; SANDBOX is the program; ONE_MESH and DENSE are states
-//     that match the floor's pictures, with its torus and with one of 80,000 triangles
+//     that match the floor's pictures: its torus, and a mesh of about 80,000 triangles
 //
 // If VIEWING_BENCH_ROWS names a file, the rows are also appended to it, with tabs between columns, for
 // tests/bench/table. floor.cpp, pictures.cpp and mesh.cpp describe the timed work.
@@ -219,7 +219,7 @@ void compare_windows(const Programs& programs, int rounds) {
     }
 }
 
-/// Redraws both buffers, the histogram and the precision chart for each picture.
+/// Compares windows in which each edit redraws the color and depth pictures, the histogram and the precision chart.
 void compare_depth_views(const Programs& programs, int rounds) {
     const std::string depth = fs::path(programs.dense).replace_filename("depth.json");
     Rate floor, window;

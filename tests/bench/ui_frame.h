@@ -65,7 +65,7 @@ public:
         depth_ = plan(depth, derive(depth, scene, {layout.lower_right.size_px(), true}));
     }
 
-    /// Draws the windows twice, as a frame does: to take the input, and to show what came of it.
+    /// Draws the windows twice, as Studio::frame does: first to handle the input, then to show its effects.
     void draw() {
         const Pictures pictures{};
         const StatusLine status{"OpenGL 3.3 core", "–", {}};

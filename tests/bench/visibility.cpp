@@ -43,7 +43,7 @@ std::vector<Polygon> polygons_of(const Mesh& mesh) {
     return viewing::polygons_of(std::span(&instance, 1)).polygons;
 }
 
-/// With a fovy of 40°, the shapes fill the picture's height; they have size 2 and are centered at the origin.
+/// Returns a view in which, with the default fovy, shapes of size 2 at the origin fill the picture's height.
 Viewpoint viewpoint(const glm::dvec3& target = glm::dvec3(0.0), double fovy_deg = 40.0) {
     const glm::dvec3 eye(1.0, 1.4, 3.0);
     return {view_from_world(world_from_view(eye, angles_looking_at(eye, target))),
@@ -120,8 +120,8 @@ const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0)
 
 // ---- the z-buffer in llvmpipe ------------------------------------------------------------------------
 
-/// Draws the same triangles with GL's depth test. The shaders transform the triangles and write their numbers. Uploads
-/// the triangles once, so only drawing is measured.
+/// Draws the polygons' triangles with GL's depth test. The shaders transform the triangles and write their numbers.
+/// Uploads the triangles once, so only drawing is measured.
 void gl_z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     Result<gl::EglContext> context = gl::EglContext::make();
     if (!context) return state.SkipWithError(context.error().c_str());
@@ -194,7 +194,7 @@ void hierarchy_build(benchmark::State& state) {
 }
 BENCHMARK(hierarchy_build)->Unit(benchmark::kMillisecond);
 
-// ---- the same in Embree ------------------------------------------------------------------------------
+// ---- ray casting in Embree ---------------------------------------------------------------------------
 
 /// An Embree device with one mesh. It works only on the calling thread.
 class Embree {

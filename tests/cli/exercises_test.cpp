@@ -242,7 +242,7 @@ TEST_F(ExercisesCommand, DeployedVariantsKeepTheSheets) {
     const nlohmann::json parsed = nlohmann::json::parse("{" + deployed + "}");
     ASSERT_EQ(parsed["deployed"].size(), 16U);
     EXPECT_EQ(std::set<nlohmann::json>(parsed["deployed"].begin(), parsed["deployed"].end()).size(), 16U);
-    // If the variants are not deployed, a different list gives different sheets.
+    // A different list of values changes the sheets, unless the file lists the deployed variants.
     const std::string other = exercise_with("10", "[3, 4]");
     write("mine.json", other);
     EXPECT_NE(sheets(), before);

@@ -1,4 +1,4 @@
-// Tests `help TOPIC`, and runs the commands of the manual as printed there.
+// Tests `help TOPIC`, and runs the manual's commands exactly as printed.
 #include <fstream>
 
 #include "cli/program.h"

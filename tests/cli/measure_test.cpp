@@ -54,8 +54,8 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     }
     EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
     EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
-    // GL draws these pictures and rounds the positions of corners. Only software_depth_buffer is computed pixel by
-    // pixel.
+    // GL draws the pictures of these methods and rounds the positions of corners. Only that of software_depth_buffer is
+    // computed pixel by pixel.
     EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2);
     EXPECT_LE(measured["methods"]["bsp"]["wrong_pixels"], 2);
     EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
@@ -108,7 +108,7 @@ TEST_F(Measure, OrderExistsForSeparateBoxes) {
               std::string::npos);
 }
 
-/// The triangles are one behind the other, and each hides all that come after it.
+/// The triangles are one behind the other, and each hides all triangles behind it.
 TEST_F(Measure, OrderListsAtMostAMillionPairs) {
     const auto write_squares = [this](int count) {
         std::string mesh;

@@ -1,4 +1,4 @@
-// Runs the Python lines of the manual as printed there.
+// Runs the manual's Python lines exactly as printed.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -16,9 +16,10 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
 /// Derives q′ = q − 2 k n, expands it, and draws R.
 void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player);
 
-/// Draws the current derivation's figure into the world. For the shadow, it consists of the ray, the point, its shadow
-/// and the feet, with the similar triangles between them; for the mirror image, of the point and its image, with k
-/// between each of them and the plane. If neither derivation is shown, draws only the followed point (draw_followed).
+/// Draws the current derivation's figure into the world. For the shadow, draws the light's ray, the point, its shadow,
+/// the feet of the perpendiculars to the plane, and the similar triangles. For the mirror image, draws the point, its
+/// image, and their distance k from the plane. If neither derivation is shown, draws only the followed point
+/// (draw_followed).
 void draw_derivation_overlay(Overlay& overlay, const Params& params, const Derived& derived);
 
 }  // namespace viewing

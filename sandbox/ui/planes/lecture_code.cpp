@@ -20,7 +20,7 @@ namespace {
 using widgets::Links;
 using widgets::Role;
 
-/// Style of the code for a given width.
+/// How the code is written so that it fits a given width.
 struct Writing {
     ImFont* font;
     int columns;         ///< characters per row
@@ -149,7 +149,7 @@ void title(const Function& function) {
     ImGui::PopFont();
 }
 
-/// Draws the lines. `dot`: the value of the extra line that precedes those of S; nullopt for R.
+/// Draws the lines of code. `dot`: the dot product of plane and light, which only S's code computes; nullopt for R.
 void draw_lines(const Function& function, std::optional<double> dot) {
     const Writing writing = writing_for(function, ImGui::GetContentRegionAvail().x);
     ImGui::PushFont(writing.font);
@@ -186,7 +186,7 @@ void shadow_function(const Derived& derived) {
     draw_lines(function, cast.plane_dot_light);
 }
 
-/// Draws the switch that fills R as on the slide, and a sentence that says how GL reads the array.
+/// Draws the switch that fills R row by row, as the slide does, and a sentence that says how GL reads the array.
 void order_switch(Params& params, double d) {
     if (widgets::Offers("control:reflection.printed_by_rows"))
         control(params, "reflection.printed_by_rows", {.label = marked("R as printed on the slide")});

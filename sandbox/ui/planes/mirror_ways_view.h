@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// The pictures and the counts, which are null until they exist.
+/// The pictures, and how they compare with the first one; each is null until it exists.
 struct MirrorWaysShown {
     std::array<ImTextureID, mirror_way_count> pictures{};
     std::shared_ptr<const MirrorWays> ways;

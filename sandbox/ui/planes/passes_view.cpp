@@ -17,7 +17,7 @@ constexpr const char* buffer_names[] = {marked("color"), marked("depth"), marked
 constexpr const char* whole_frame =
     marked("This hidden-surface method always draws the whole frame: it cannot stop after a pass.");
 
-/// The gap is relative to the view's size, since pictures are sized before any frame sets a scale.
+/// Returns the gap between pictures, relative to the view's size: pictures are sized before any frame sets a scale.
 float gap_in(const Rect& rect) {
     return std::round(0.02F * std::min(rect.width(), rect.height()));
 }
@@ -52,7 +52,7 @@ Places places_in(const Rect& rect, double aspect) {
 
 /// Draws the step bar. Its steps are the passes, counted from 1; a frame that does not stop early is at the last step.
 /// Returns true when the step changed. In a narrow view, the bar has less height, which also makes its buttons
-/// narrower. If even that does not fit, there is no bar, but clicks on passes still work.
+/// narrower. If even this low bar does not fit, no bar is drawn; clicks on passes still work.
 bool steps(Session& session, int count, widgets::StepPlayer& player) {
     constexpr float whole_bar = 256.0F, low_bar = 215.0F;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -65,7 +65,7 @@ bool steps(Session& session, int count, widgets::StepPlayer& player) {
                         {ImGui::GetStyle().FramePadding.x, is_narrow ? 0.0F : ImGui::GetStyle().FramePadding.y});
     widgets::StepBar("passes", step, count, player, ImGui::GetIO().DeltaTime);
     ImGui::PopStyleVar();
-    if (count < 2) player.playing = false;  // the first pass is also the last
+    if (count < 2) player.playing = false;  // a single pass has no next step to play
     if (step == before) return false;
     const int reached = std::max(step, 1);
     pass = step < 0 || reached >= count ? -1 : reached - 1;
@@ -116,7 +116,8 @@ void call_lines(const std::vector<std::string>& calls, MarkedCalls& done, const 
     ImGui::PopFont();
 }
 
-/// Draws one pass. A click on its heading stops the frame after it, or lets the frame continue.
+/// Draws one pass. A click on its heading stops the frame after this pass or, if this is the last pass or the frame
+/// already stops here, removes the stop.
 void entry(Session& session, const FramePlan& plan, int number, MarkedCalls& done) {
     const widgets::Context& context = widgets::CurrentContext();
     const Pass& pass = plan.passes[static_cast<std::size_t>(number)];

@@ -82,7 +82,7 @@ glm::dvec3 d_clear_of(const Bounds& bounds, const glm::dvec3& eye) {
     return d;
 }
 
-/// Draws a plane's equation, size and flags. `bounds`: of all objects.
+/// Draws a plane's equation, size and flags. `bounds`: the bounds of all objects.
 void plane_controls(Params& params, std::size_t index, const Bounds& bounds) {
     static const PlaneParams defaults;
     PlaneParams& plane = params.planes[index];

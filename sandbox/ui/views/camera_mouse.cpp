@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// The frontmost object at a screen position; t is the parameter along the overlay's ray.
+/// The frontmost object at a screen position. `hit.t` is the parameter along the overlay's ray at that position.
 struct ObjectHit {
     const SceneObject* object = nullptr;
     MeshHit hit{};
@@ -110,8 +110,8 @@ void move_by_drag(DragAction action, const ViewState& state, const Lens& lens, f
     }
 }
 
-/// Handles a turn of the wheel: it moves the camera, zooms in orbit mode, or scales an orthographic picture. With Ctrl,
-/// it changes the speed.
+/// Handles a turn of the wheel: moves the camera, zooms in orbit mode, or scales an orthographic picture. With Ctrl,
+/// changes the camera's speed instead, except in orbit mode.
 void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
     constexpr double seconds_a_line = 0.15;  // of flight per line that the wheel scrolls
     Params& params = session.params;
@@ -176,7 +176,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
     const bool is_right_click = over && ImGui::IsMouseReleased(ImGuiMouseButton_Right) && state.dragged_px <= px(3.0F);
     if (is_right_click && state.hovered_pixel && widgets::Offers("control:view.lower")) {
-        state.looking = false;  // a finger's long touch holds the left button too
+        state.looking = false;  // on a touchscreen, a long press also holds the left button
         pin(session.params, state.pinned, *state.hovered_pixel);
         if (!is_shown(session.params, Topic::why)) choose_topic(session.params, Slot::right, Topic::why);
         state.lower = {Slot::right, session.params.view.lower_left, session.params.view.lower_right};
@@ -186,7 +186,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
     const bool is_click_so_far = action == DragAction::look && state.dragged_px <= px(3.0F);
     if (action && ImGui::IsItemActive() && !is_click_so_far) move_by(*action);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
-        const bool is_at_point = state.grip.handle == Handle::point;  // a click there may mean another vertex
+        const bool is_at_point = state.grip.handle == Handle::point;  // a click on the point may choose another vertex
         if ((state.looking || is_at_point) && state.dragged_px <= px(3.0F)) {
             PolygonLinks& links = state.hidden.links;
             links.next.selected_fragment = links.now.hovered_fragment;

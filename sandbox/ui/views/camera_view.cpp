@@ -96,7 +96,7 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
-        const bool tells = !widgets::IsCovered("sentences");  // whether to say what happens to these points
+        const bool tells = !widgets::IsCovered("sentences");  // whether to say what happens to the points
         const LegendEntry entries[] = {{caster_colors[0], tells ? marked("w > 0: projected") : "w > 0"},
                                        {caster_colors[1], marked("w > 0 behind the plane")},
                                        {caster_colors[2], tells ? marked("w ≤ 0: clipped away") : "w ≤ 0"}};
@@ -177,8 +177,8 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     return next;
 }
 
-/// Whether the problem or its fix belongs to the same group of settings, such as "depth", as a control that is offered.
-/// True for all problems if the controls are not limited.
+/// Whether a control in `controls` is in the same group of settings (for example "depth") as the problem or its fix.
+/// Always true if `controls` is empty, which means that all controls are offered.
 bool is_about(const Problem& problem, const std::vector<std::string>& controls) {
     const auto group_of = [](std::string_view path) { return path.substr(0, path.find_first_of(".=[")); };
     return controls.empty() || std::any_of(controls.begin(), controls.end(), [&](const std::string& path) {
@@ -201,8 +201,8 @@ std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, 
     return told;
 }
 
-/// Draws the sentences of at most three problems, as many as begin above the picture's middle; a small button shows the
-/// others. Returns the covered area.
+/// Draws the sentences of at most three problems, and only those that begin above the picture's middle. A small button
+/// shows the other sentences. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     constexpr std::size_t most = 3;
     const float first = rect.min.y + px(15.0F);
@@ -304,13 +304,13 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     state.method_pixel = over ? method_pixel_at(pictures.hidden, overlay, mouse) : std::nullopt;
     const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
-    const bool has_handles = state.handles && !has_raster(params.visibility);  // handles would hide the numbers
+    const bool has_handles = state.handles && !has_raster(params.visibility);  // handles would hide the pixels' depths
     if (hovered == Handle::none && over && has_handles && !state.looking)
         hovered = movable_handle(state, handle_at(overlay, places, mouse));
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
 
-    // Draw the legend before the overlay, so that the overlay's labels avoid its area, but in the upper layer.
+    // Draw the legend first, so that the overlay's labels avoid it, but in the upper layer, so that it stays on top.
     ImDrawListSplitter layers;
     layers.Split(overlay.draw(), 2);
     layers.SetCurrentChannel(overlay.draw(), 1);

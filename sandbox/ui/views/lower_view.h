@@ -14,23 +14,24 @@ struct FrameContext {
     const FramePlan& plan;  ///< the camera's frame
     const Pictures& pictures;
     Rect rect;
-    ImTextureID picture = nullptr;  ///< by GL; null for a view without one
+    ImTextureID picture = nullptr;  ///< drawn by GL; null for a view without a picture
 };
 
-/// The pictures by GL that are not seen from a camera of the view's own.
+/// What GL draws for a view that has no camera of its own.
 enum class LowerPicture { none, depth_buffer, after_pass, mirror_ways };
 
 struct LowerView {
     const char* title;
-    /// Draws the view below its header; more items may follow on the header's line.
+    /// Draws the view below its header; may also add items to the header's line.
     void (*draw)(const FrameContext& frame);
-    /// Returns the camera of a picture by GL that shows a space from outside; null for other views. `rect`: the view's.
+    /// Returns the view's own camera, from which GL draws the view's picture; null for views without such a camera.
+    /// `rect`: the view's rectangle.
     ObserverView (*camera)(const Params& params, const Derived& derived, const Scene& scene,
                            const Rect& rect) = nullptr;
     LowerPicture picture = LowerPicture::none;
-    ImVec2 least_size{360.0F, 150.0F};  ///< on stage, below which the back row can hardly read it; design pixels
-    float lowest = 96.0F;               ///< a crowded stage may shrink it to this height; tables keep all their content
-    const char* target = nullptr;       ///< a second name for lessons to cover or highlight, beside "view:NAME"
+    ImVec2 least_size{360.0F, 150.0F};  ///< the smallest that the back row can read on stage; design pixels
+    float lowest = 96.0F;               ///< least height on a crowded stage; a table must still show all its content
+    const char* target = nullptr;       ///< a second name, besides "view:NAME", by which lessons cover or highlight it
     bool turns = false;                 ///< a drag turns the view's camera
     bool reads_pixel = false;           ///< shows values of the pixel that is pinned or under the pointer
     bool reads_fragments = false;       ///< shows all surfaces along that pixel's ray
@@ -58,7 +59,7 @@ inline bool is_any_shown(const Params& params, bool LowerView::*property) {
     return lower_view(params, Slot::left).*property || lower_view(params, Slot::right).*property;
 }
 
-/// Whether a lower view examines the pinned pixel: a click in the camera view then pins one.
+/// Whether a lower view examines the pinned pixel. If so, a click in the camera view pins a pixel.
 inline bool examines_pixel(const Params& params) {
     return is_any_shown(params, &LowerView::reads_fragments) || is_any_shown(params, &LowerView::reads_cells) ||
            is_any_shown(params, &LowerView::explains_pixel);

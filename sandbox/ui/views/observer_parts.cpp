@@ -82,7 +82,7 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
 }
 
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived) {
-    // An animation moves the derived camera, too.
+    // Without one of these mistakes or an override of V, only an animation moves the effective camera away.
     if (!params.slips.swapped_order && !params.slips.camera_as_view && !params.camera_overrides.view_from_world) return;
     const glm::dmat4 effective = effective_camera(derived);
     if (largest_entry(effective - placed_camera(params)) < 1e-9) return;

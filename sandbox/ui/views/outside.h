@@ -24,8 +24,8 @@ void mark_cutting_face(Overlay& overlay, const Params& params, const Derived& de
 /// Draws a slider for a field in a row, between the translated names of the slider's two ends.
 void slider_between(Params& params, const char* path, const Rect& row, const char* from, const char* to);
 
-/// Returns the row at a view's lower edge for a field's slider, and covers the picture there. The row has height 0 on a
-/// stage that does not offer this control.
+/// Returns the row at a view's lower edge for a field's slider, and draws the row's background over the picture. The
+/// row has height 0 on a stage that does not offer this slider.
 Rect slider_row(const Rect& rect, const char* path);
 
 }  // namespace viewing

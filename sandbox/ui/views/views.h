@@ -55,15 +55,15 @@ struct ViewState {
     /// Holding Ctrl lifts the restriction.
     std::optional<std::vector<std::string>> movable;
     bool marks_lights = true, marks_plane = true;  ///< in the camera view
-    bool marks_derivation = true;                  ///< also for the point that is used if none is followed
+    bool marks_derivation = true;                  ///< also if no point is followed; see derivation_point()
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
     float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag
     glm::ivec2 camera_px{1280, 720};          ///< last known size of the camera's picture
-    Rect plate;                               ///< over the camera's picture, on stage; may be empty
+    Rect plate;                               ///< the controls over the camera's picture on stage; may be empty
     MouseHabits mouse;                        ///< the user's
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
-    glm::dvec3 orbit_center{0.0};             ///< that point, in world space
+    glm::dvec3 orbit_center{0.0};             ///< the grabbed point, in world space
     std::optional<glm::ivec2> hovered_pixel;  ///< in the camera's picture, from its top left
     std::optional<glm::ivec2> method_pixel;   ///< under the pointer, in a hidden-surface method's picture
     std::optional<glm::ivec2> told_pixel;     ///< the last hovered_pixel, kept while the pointer is elsewhere
@@ -97,9 +97,10 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
 /// pixel, before the user's factor.
 glm::dvec2 turn_of_drag(const MouseHabits& mouse, double usual_deg);
 
-/// Handles the mouse in the camera's view. Pressing grabs a handle or starts looking around, and dragging continues
-/// that. A click without motion chooses a pixel if a hidden-surface method or a view examines pixels; otherwise it
-/// picks a vertex, or clears the pick if it hits no object. `hovered`: the handle under the pointer.
+/// Handles the mouse in the camera's view. Pressing grabs a handle or starts looking around; dragging then moves the
+/// handle or turns the camera. A click without motion chooses a pixel if a hidden-surface method or a view examines
+/// pixels; otherwise it picks a vertex, or clears the pick if it hits no object. `hovered`: the handle under the
+/// pointer.
 void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
                   const HiddenStatus& hidden, const FrameInput& input, MotionInput& motion);
 

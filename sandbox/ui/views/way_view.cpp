@@ -143,7 +143,8 @@ void draw_rows(ImDrawList* draw, const Rect& rect, const std::array<Row, 4>& row
     }
 }
 
-/// Returns the clip-space condition for points outside a plane: "z < −w".
+/// Returns the clip-space condition for points outside a plane, such as "z < −w"; for `none`, the condition for points
+/// inside all planes.
 const char* condition_of(FrustumPlane plane, bool zero_to_one) {
     static constexpr const char* conditions[] = {"−w ≤ x, y, z ≤ w", "z < −w", "z > w", "x < −w", "x > w",
                                                  "y < −w",           "y > w"};

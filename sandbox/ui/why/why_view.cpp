@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// The fault and its fix, which an exercise may ask for.
+/// Lessons' name for the fault and its fix, which an exercise may ask for.
 constexpr const char* fault_target = "text:why.fault";
 
 ImU32 color_of_kind(WhyRow::Kind kind) {
@@ -117,7 +117,7 @@ void draw_buttons(WhyState& state, Session& session, const Why& why) {
         ImGui::SetClipboardText(why_as_text(why).c_str());
 }
 
-/// Draws one row: its title, its sentence, and the color after it. Returns whether the pointer is over it.
+/// Draws one row: its title, its sentence, and the pixel's color after it. Returns whether the pointer is over the row.
 bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int number) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const RowTexts texts(row, place);

@@ -167,7 +167,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     if (save_step) save_as_step();
 }
 
-/// Draws what a drag in the camera view does.
+/// Draws the controls that determine what a drag in the camera view does.
 static void mouse_controls(MouseHabits& mouse) {
     const MouseHabits usual;
     const auto drag = [](const char* label, bool& pans, const char* other, const char* other_tip) {
@@ -290,14 +290,14 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
         layout.top_bar.width() < std::max(px(1100.0F), names + wide_lists + buttons + exercises_room + undo);
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
     const float lists = scene_width + px(6.0F) + preset_width;
-    // If this button does not fit, the start page still has one that opens the exercises.
+    // If the Exercises button does not fit, the start page still has one.
     const bool has_exercises = !narrow || layout.top_bar.width() - px(20.0F) - buttons - exercises_room >= lists;
     if (has_exercises) buttons += exercises_room;
-    // If these buttons do not fit, Ctrl+Z and Ctrl+Shift+Z still work.
+    // If the Undo and Redo buttons do not fit, Ctrl+Z and Ctrl+Shift+Z still work.
     const bool has_undo = !narrow || layout.top_bar.width() - px(20.0F) - buttons - undo >= lists;
     if (has_undo) buttons += undo;
     const float room = layout.top_bar.width() - px(20.0F) - buttons;
-    const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // otherwise, use Page up and Page down
+    const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // without them, use Page up and Page down
     const float share =
         narrow ? std::clamp((room - (has_steps ? step_buttons_room() : 0.0F)) / lists, 0.1F, 1.0F) : 1.0F;
     if (!narrow) {

@@ -16,7 +16,7 @@ float width_in(const ImFont& font, const char* text) {
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;
 }
 
-/// The width of "changed" and its button. It is reserved even while they are hidden, so that nothing jumps.
+/// Returns the width of "changed" and the "restore" button. Both keep their space while hidden, so that nothing jumps.
 float marks_width(const widgets::Context& context) {
     const float scale = context.scale;
     return width_in(*context.fonts.heading, tr("changed")) + width_in(*context.fonts.text, tr("restore")) +

@@ -26,8 +26,8 @@ public:
     /// Receives the chosen file when the purpose is open_answers or save_answers.
     using Use = std::function<void(const std::filesystem::path& file)>;
     void show(Purpose purpose, const std::string& name, Use use);
-    /// Asks where to save the state as a step. Suggests `own`, the file of the open lesson, or if that is empty, the
-    /// file of the previous save. The step also frames the parts that are framed on the screen.
+    /// Asks where to save the state as a step. Suggests `own`, the file of the open lesson, or, if `own` is empty, the
+    /// file of the previous save. `highlight`: the parts that the step frames.
     void show_save_step(const std::filesystem::path& own, std::vector<std::string> highlight);
     /// Draws the dialog while it is open. Opens or saves through the session, whose message reports the outcome.
     void draw(Session& session);

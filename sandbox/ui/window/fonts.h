@@ -15,7 +15,7 @@ widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, cons
 /// Loads the same fonts without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
 
-/// The font file that draws a character, and its em size when the ImGui font is drawn at its own size.
+/// The font file that draws a character, and that file's em size when ImGui draws the font at its default size.
 struct GlyphFace {
     const char* file = "";  ///< as embedded_font() names it
     float em_px = 0.0F;

@@ -279,7 +279,7 @@ void Workbench::draw_exercises(Session& session, const Pictures& pictures) {
 }
 
 void Workbench::choose_answers(FileDialog::Purpose purpose, Session& session) {
-    exercise_page.close();  // the dialog opens over the views
+    exercise_page.close();  // show the dialog over the views instead of over this page
     if (purpose == FileDialog::Purpose::open_answers) {
         file_dialog_.show(purpose, "", [this](const std::filesystem::path& file) { exercises.open_hand_in(file); });
         return;

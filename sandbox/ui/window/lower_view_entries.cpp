@@ -1,4 +1,4 @@
-// The list of the lower views' entries, and the entries of views whose sources do not know the others' state. See
+// The list of the lower views' entries, and the entries of those views whose own sources do not know ViewState. See
 // ui/views/lower_view.h.
 #include <array>
 #include <cfloat>

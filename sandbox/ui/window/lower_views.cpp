@@ -1,4 +1,4 @@
-// The two views below the camera's. Each shows a topic, and its header is a list of all topics. See
+// The two views below the camera's view. Each shows a topic, and its header is a list of all topics. See
 // lower_view_entries.cpp for what each topic draws.
 #include <algorithm>
 
@@ -42,7 +42,7 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         "and four ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the "
         "tree, the drawing order and the growth of the cost.");
     ImGui::SameLine(0.0F, px(12.0F));
-    if (!offers_other) return;  // the list also has that topic
+    if (!offers_other) return;  // the list of topics also leads to the other view
     if (widgets::SmallButton(other)) want(other_than(slot));
     widgets::Tooltip(other, "Shows the other lower view; this window is too small for both.");
     ImGui::SameLine(0.0F, px(12.0F));

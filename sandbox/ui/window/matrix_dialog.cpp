@@ -26,7 +26,7 @@ void take_into(Session& session, char letter, const glm::dmat4& matrix, double v
                        false};
 }
 
-/// Replaces the state's own matrix with this one, unchanged, as a matrix entered by hand.
+/// Enters the matrix by hand, unchanged, in place of the state's own.
 void enter_into(Session& session, char letter, const glm::dmat4& matrix) {
     if (!enter_by_hand(session.params, letter, matrix)) return session.report(Error{tr(no_state)});
     session.message = {

@@ -1,5 +1,5 @@
-// Pastes a matrix from the clipboard. A correct V, C, or P replaces the state's own; for any other matrix, a dialog
-// says what is wrong.
+// Pastes a matrix from the clipboard. A correct V, C, P, S or R replaces the state's own; for any other matrix, a
+// dialog says what is wrong.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,7 @@ private:
         PastedMatrix pasted;
         ExplainedMatrix found;
         std::optional<glm::dmat4> fixed;
-        char letter;  ///< the matrix that it can be entered as; 0: none
+        char letter;  ///< the matrix in whose place it can be entered by hand; 0: none
     };
     void take(const Paste& paste, Session& session, const Derived& derived);
 

@@ -15,7 +15,7 @@ class PresetPicker {
 public:
     bool is_open() const { return is_open_; }
     const std::string& search() const { return search_; }
-    /// Whether the list is open and its search is empty, so that undo and redo cannot be meant for the search text.
+    /// Whether the list is open and its search is empty. If so, undo and redo do not apply to the search text.
     bool has_empty_search() const { return is_open_ && search_.empty(); }
 
     /// Draws the closed list, which shows `shown`, and the open list below it while it is open. `current`: the open

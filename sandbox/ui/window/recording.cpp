@@ -46,7 +46,7 @@ public:
         const Place* const place = find(first.uv);
         if (!place) return std::nullopt;
         const ImFontGlyph& glyph = *place->glyph;
-        // A clipped glyph has clipped texture coordinates, too.
+        // A clipped glyph has clipped texture coordinates, too, so these give its size and position before clipping.
         const float scale = (last.pos.y - first.pos.y) / (last.uv.y - first.uv.y) * (glyph.V1 - glyph.V0) /
                             std::max(glyph.Y1 - glyph.Y0, 1e-6F);
         const float left =
@@ -181,8 +181,8 @@ public:
     }
 
 private:
-    /// Moves the fringe's outer vertices to its middle. The fringe fades out over one pixel, so the shape's outline
-    /// runs along its middle.
+    /// Moves the fringe's outer vertices to the middle of the fringe. The fringe fades out over one pixel, so the
+    /// shape's outline runs along this middle.
     void move_fringe(std::span<const ImDrawIdx> triangles) {
         if (places_.size() == 4) return;  // a gradient rectangle has no fringe
         std::map<ImDrawIdx, ImDrawIdx> partners;

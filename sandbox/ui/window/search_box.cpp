@@ -21,7 +21,7 @@ bool is_key_pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
 }
 
-/// The width of the left column: that of the longest kind's name.
+/// Returns the width of the left column, which fits the longest name of a kind.
 float width_of_kinds() {
     float width = 0.0F;
     for (int kind = 0; kind <= static_cast<int>(EntryKind::exercise); ++kind)

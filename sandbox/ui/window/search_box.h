@@ -15,7 +15,7 @@ public:
     void open() { requested_ = true; }
     bool is_open() const { return requested_ || is_open_; }
 
-    /// Draws the box while it is open. `offered` returns the entries when it opens. Returns what the user chose.
+    /// Draws the box while it is open. Calls `offered` for the entries when the box opens. Returns what the user chose.
     std::optional<SearchChoice> draw(const std::function<std::vector<SearchEntry>()>& offered);
 
     /// Returns the typed text and all offered entries, for the fonts.

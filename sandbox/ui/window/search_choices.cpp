@@ -1,5 +1,5 @@
-// The entries that the window offers to the search, and the effect of choosing one: that of the control or the key that
-// it names.
+// The entries that the window offers to the search. Choosing an entry has the same effect as the control or the key
+// that the entry names.
 #include <utility>
 
 #include "lesson/exercise.h"

@@ -59,7 +59,7 @@ struct LessonPlace {
 struct ExerciseChoice {
     std::string id;
 };
-/// A setting as on the command line; "" if its value is still to be typed after `path`.
+/// A field. `setting` is "path=value", as on the command line, or "" if the value is still to be typed after `path`.
 struct FieldChoice {
     std::string_view path;
     std::string setting;

@@ -44,7 +44,7 @@ Fit fit_of(std::string_view text, std::string_view word) {
     return best;
 }
 
-/// Words that people use for the same thing: each row lists synonyms. Starts of words are enough for a match.
+/// Each row lists words that people use for the same thing. They also match as the start of a longer word.
 constexpr std::string_view synonyms[][4] = {{"below", "under", "beneath", "behind"},
                                             {"twice", "double", "two times", "darkens"},
                                             {"missing", "lost", "gone", "disappear"},

@@ -453,7 +453,7 @@ Requests Workbench::draw(Session& session, const WindowContent& content, const F
     const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
                            !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
-    if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
+    if (presenter.is_on()) motion.roll = 0.0;  // while presenting, Q shows the QR code
     draw_windows(session, content, input, motion, requests);
     requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
     requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);

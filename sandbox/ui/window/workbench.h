@@ -106,8 +106,8 @@ public:
     void set_stage();
     /// Draws the windows of one ImGui frame (between NewFrame and EndFrame), edits the session and moves its camera.
     Requests draw(Session& session, const WindowContent& content, const FrameInput& input);
-    /// Draws the same windows in one more ImGui frame, after draw() has taken the input and `content` has followed its
-    /// edits. Takes nothing but the state of held keys and buttons from `input`.
+    /// Draws the same windows in one more ImGui frame, after draw() has handled the input and `content` has been
+    /// updated for the edits. Takes nothing but the state of held keys and buttons from `input`.
     void show(Session& session, const WindowContent& content, const FrameInput& input);
 
 private:
