@@ -1,7 +1,7 @@
-// The golden list of all fields, tests/fields.txt. A field's line is that of `params --format text`. The indented lines
-// after it are its controls in the panel, with every section expanded in the opening state, each with the mode of
-// navigation in which alone it is available; or "elsewhere" if only another state or view has a control, which has a
-// test of its own; or "none".
+// The golden list of all fields, tests/fields.txt. Each field has the line that `params --format text` prints. The
+// indented lines after it list the field's controls in the panel, with every section expanded in the opening state. A
+// control that is not available in fly mode is followed by a mode in which it is, such as "[walk]". "elsewhere" means
+// that only another state or view has a control, which has a test of its own; "none" means that there is no control.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-# tests/readme_table: the table of mistakes in tests/golden/README.md, made from the presets. CMake reads JSON, and is installed
-# wherever the program is built.
+# Used by tests/readme_table: makes the table of mistakes in tests/golden/README.md from the presets. The script is in
+# CMake because CMake reads JSON and is installed wherever the program is built.
 cmake_minimum_required(VERSION 3.21)
 set(first_line "<!-- written by tests/readme_table -->\n")
 set(last_line "<!-- end of what tests/readme_table writes -->\n")

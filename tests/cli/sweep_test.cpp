@@ -1,4 +1,4 @@
-// `sweep` draws the same pictures as `snapshot`, and the numbers in its table are the ones known beforehand.
+// `sweep` draws the same pictures as `snapshot`, and its table holds the expected numbers.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -31,7 +31,7 @@ TEST_F(Sweep, DrawsTheSameAsSnapshot) {
     EXPECT_FALSE(exists("frames/0006.png"));
 }
 
-/// For the floor, P · L is the light's height, and so is the first entry of S.
+/// For the floor, both P · L and the first entry of S equal the light's height.
 TEST_F(Sweep, WritesATableOfExpressions) {
     const std::string table = expect(0, {"sweep", "--vary", "light.position[1]=1:4:4", "--csv", "-", "--value",
                                          "facts.plane_dot_light", "--value", "S[0][0]"})
@@ -81,7 +81,7 @@ TEST_F(Sweep, MakesFilmsWithFfmpeg) {
     for (const std::string film : {"a.mp4", "a.gif", "a.webp"}) {
         expect(0, small({"--vary", "camera.yaw=0:30:7", "--fps", "10", "-o", film}));
         EXPECT_GT(read(film).size(), 500U) << film;
-        if (film == "a.webp") continue;  // ffmpeg 5 cannot read its own output here
+        if (film == "a.webp") continue;  // ffmpeg 5 cannot read the WebP files that it writes
         const std::string probe =
             "ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width,height "
             "-of csv=p=0 '" +
@@ -156,7 +156,7 @@ TEST_F(Sweep, MistakesAreReportedBeforeDrawing) {
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.png", "--value", "1"}), {"--value", "--csv"});
     refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", "nonsense"}),
             {"--value nonsense", "unknown name"});
-    // The program refuses these before drawing: no driver could start with so little memory.
+    // The program must refuse these expressions before it draws: the memory limit is too low for a driver to start.
     for (const char* const expression : {"(function() return 1 end)()", "(--'\n(function() return 1 end)() --'\n)"})
         refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", expression}),
                 {"--value", "function is not allowed"},

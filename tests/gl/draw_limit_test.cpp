@@ -1,4 +1,4 @@
-// A frame that stops at a draw call equals a frame with nothing more to draw, and depths are not cleared while the
+// A frame that stops at a draw call equals a frame without the later draw calls, and depths are not cleared while the
 // depth mask is off.
 #include "frame/draw_calls.h"
 #include "gl_test.h"

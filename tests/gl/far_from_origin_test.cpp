@@ -34,7 +34,8 @@ TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
     const Place here = moved_by(glm::dvec3(0.0));
     const Image expected = draw(here.params, here.scene, far_away_px);
     for (const double far_away : {1e5, 9e5}) {
-        // The move is perpendicular to the plane: the patch is centered on the plane's point nearest to the origin.
+        // Moves perpendicular to the plane. Otherwise, the patch would not move with the objects, because it is
+        // centered on the plane's point nearest to the origin.
         const Place there = moved_by({0.0, far_away, 0.0});
         const Image picture = draw(there.params, there.scene, far_away_px);
         EXPECT_LE(pixels_beyond(expected, picture, 16), 12) << far_away << ": edges that moved by a pixel's fraction";
@@ -42,7 +43,7 @@ TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
     }
 }
 
-/// The other methods draw polygons and surface points of their own, relative to the eye.
+/// Methods other than the depth buffer draw their own polygons and surface points, relative to the eye.
 TEST_F(FarFromOrigin, OtherMethodsDrawTheSamePicture) {
     const auto drawn = [](const Place& place, VisibilityMethod method) {
         Params params = place.params;

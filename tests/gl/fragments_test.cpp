@@ -45,8 +45,8 @@ bool in_known_order(const Codes& a, const Codes& b) {
     return is_one || a.greatest < b.least || b.greatest < a.least;
 }
 
-/// Returns whether every comparison, be it between two fragments or with the cleared value, has the same result despite
-/// errors of float32 arithmetic.
+/// Returns whether float32 errors cannot change the result of any comparison between two fragments or between a
+/// fragment and the cleared value.
 bool is_decided(const std::vector<Fragment>& fragments, double cleared, const DepthPrecision& precision) {
     const std::int64_t cleared_code = code_of(cleared, precision);
     std::vector<Codes> codes{{cleared_code, cleared_code}};

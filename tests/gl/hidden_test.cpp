@@ -1,5 +1,5 @@
-// Compares GL's pictures of hidden surfaces, drawn with its depth buffer or in the orders found in software, with ray
-// casting on random scenes. Shading, mirror image and overdraw do not depend on the method.
+// Compares the visible surfaces in GL's pictures, drawn with the depth buffer or in an order found in software, with
+// ray casting on random scenes. Shading, mirror image and overdraw do not depend on the method.
 #include <algorithm>
 #include <iostream>
 
@@ -29,7 +29,7 @@ constexpr std::array exact_methods{VisibilityMethod::newell, VisibilityMethod::b
 
 class Hidden : public testing::GlTest {
 protected:
-    /// Draws the frame as the window does, with the complete result of the method.
+    /// Returns the plan of the window's frame, with the complete result of the method.
     static FramePlan frame_of(const Params& params, const Scene& scene, glm::ivec2 size_px, Renderer& with) {
         const Derived derived = derive(params, scene, {size_px, with.capabilities().clip_control});
         const auto question = hidden_question(params, derived, size_px);
@@ -86,9 +86,9 @@ double edge_distance_px(const HiddenResult& result, const std::vector<int>& sour
     return nearest;
 }
 
-/// Counts the pixels whose ID occurs nowhere within one pixel of them in the reference. GL rounds screen positions to
-/// 1/256 of a pixel, so a pixel center closer than `rounding_px` to an edge may fall on either side of it. Such pixels
-/// count as slivers; all others are unexplained.
+/// Counts the pixels whose ID the reference shows neither at the same pixel nor at a neighbor. GL rounds screen
+/// positions to 1/256 of a pixel, so a pixel center closer than `rounding_px` to an edge may fall on either side of the
+/// edge. Such pixels count as slivers; all others are unexplained.
 struct Disagreement {
     static constexpr double rounding_px = 1.0 / 64.0;
     int at_slivers = 0, unexplained = 0;
@@ -186,7 +186,8 @@ std::string in_words(const std::vector<std::string>& settings) {
     return words;
 }
 
-/// Pictures equal those of GL's depth buffer except for single pixels on outlines, where GL rounds to 1/256 of a pixel.
+/// The exact methods give the picture of GL's depth buffer except for single pixels on outlines, where GL rounds to
+/// 1/256 of a pixel.
 class HiddenPicturesTest : public Hidden {
 protected:
     static void expect_those_of_the_depth_buffer(const std::string& scene_name, Renderer& with) {
@@ -278,7 +279,7 @@ TEST_F(Hidden, GlCountsOverdrawAsSoftwareDoes) {
         const Scene scene = random_scene(random);
         Params params = random_view(random);
         params.view.shows = Shows::overdraw;
-        const bool divided = run % 2 == 1;  // the patch's plane then cuts the counted polygons
+        const bool divided = run % 2 == 1;  // if true, the patch's plane cuts the counted polygons
         if (!divided) params.planes.front().equation = {0.0, 1.0, 0.0, 20.0};
         for (const VisibilityMethod method : software_methods) {
             params.visibility.method = method;

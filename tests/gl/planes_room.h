@@ -1,5 +1,5 @@
-// Random rooms of planes, lights and solids for the tests of shadows and mirrors. Each room is made as parameters, as
-// meshes, and for the oracle of ray_caster.h. Read planes_rays_test.cpp next.
+// Random rooms of planes, lights and solids for the tests of shadows and mirrors. Each room has three forms:
+// parameters, meshes, and the input of the oracle in ray_caster.h. Read planes_rays_test.cpp next.
 #pragma once
 
 #include <algorithm>

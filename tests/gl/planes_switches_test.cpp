@@ -1,6 +1,6 @@
-// Every preset that breaks a shadow or a mirror changes the picture where its artifact is visible, and a sentence
-// reports the artifact. A busy state draws without a GL error, whichever switch is changed. The reported reasons come
-// from frame/planes/shadow_problems.cpp and frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate
+// The fix of every broken preset visibly changes the picture, and a sentence reports what was broken. A busy state
+// draws without a GL error, whichever switch is changed. The reported reasons come from
+// frame/planes/shadow_problems.cpp and frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate
 // states.
 #include "gl_test.h"
 #include "state/presets.h"
@@ -23,11 +23,11 @@ struct Artefact {
     Scene scene;
 };
 
-/// The same artifact with another cause.
+/// Settings that break a preset's picture in another way.
 struct Variant {
     const char* preset;
     std::vector<std::string> settings;
-    const char* fixed_by = "";  ///< if it differs from the preset's own fix
+    const char* fixed_by = "";  ///< the fix, if it differs from the preset's own; "" otherwise
 };
 
 const Variant variants[] = {

@@ -63,7 +63,7 @@ TEST_F(Presets, ShadowDoubleBlendHasSeveralLevels) {
     const Image twice = picture(params);
     params.shadow.stencil_once = true;
     const Image once = picture(params);
-    int two_layers = 0, more_layers = 0;  // compared with one layer; each extra layer transmits 0.7
+    int two_layers = 0, more_layers = 0;  // pixels by the ratio to one layer; each further layer transmits 0.7
     for (int y = 0; y < preset_px.y; ++y) {
         for (int x = 0; x < preset_px.x; ++x) {
             const double ratio = static_cast<double>(testing::rgb_at(twice, {x, y})[2]) /

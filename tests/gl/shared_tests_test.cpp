@@ -1,5 +1,5 @@
-// Unified stencil tests pass the same fragments as the original ones, for every value that the stencil can hold. This
-// file enumerates these values, and checks the passes of every preset and random passes.
+// shared_stencil_tests() replaces the stencil tests of passes with tests that pass the same fragments, for every value
+// that the stencil can hold. This file enumerates these values for the passes of every preset and for random passes.
 #include "render/shared_tests.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ int left_by(const StencilState& state, int value, int reference) {
     return (value & ~state.write_bits) | (after & state.write_bits);
 }
 
-/// Expects that the unified tests pass the same fragments, and returns how many tests differ from the original ones.
+/// Expects that the shared tests pass the same fragments, and returns how many of them differ from the original tests.
 /// Assumes that a pass may touch a pixel zero, one, or several times.
 int expect_the_same_fragments(std::span<const Pass> passes) {
     const std::vector<StencilState> tests = shared_stencil_tests(passes);
@@ -124,7 +124,7 @@ TEST(SharedTests, PassTheSameFragmentsForPassesOfEveryKind) {
     EXPECT_GT(changed, 200);
 }
 
-/// If only the reference differs, a software renderer needs just one shader for both.
+/// If only the reference differs, a software renderer needs just one shader for the mirror image and the objects.
 TEST(SharedTests, MirrorImageAndObjectsDifferOnlyInTheReference) {
     const std::vector<Pass> passes = passes_of("opening");
     std::vector<StencilState> of_objects;

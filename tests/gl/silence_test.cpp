@@ -201,9 +201,9 @@ protected:
         return changed_pixels(before, after) <= few_pixels || before.sentences != after.sentences;
     }
 
-    /// Returns whether the change is named if codes do not decide, although a sentence says in both states that they
-    /// do, or if fronts are not culled, whose absence shows the bottoms of objects, which lie in the floor and fight
-    /// with it.
+    /// Removes from both states the mistakes that leave the picture to chance, and returns whether the change is then
+    /// named; returns false if there are no such mistakes. Culled fronts count as one: they expose the bottoms of
+    /// objects, which fight with the floor.
     static bool is_named_without_chance(const Params& state, const Shown& after, const Change& change,
                                         const Scene& scene) {
         const bool shows_insides = std::any_of(after.problems.begin(), after.problems.end(),
@@ -214,7 +214,7 @@ protected:
         return is_named(shown(before, scene), shown(now, scene));
     }
 
-    /// Checks one change of a state, and returns whether the picture changed. `before`: shown(state, scene).
+    /// Checks one change of a state, and returns whether the picture changed. `before` is shown(state, scene).
     static bool check(const Params& state, const Shown& before, const Change& change, const Scene& scene,
                       const std::string& what) {
         ++pairs;

@@ -1,5 +1,5 @@
-// 16-bit depth is really allocated, without a stencil. The substitute for the stencil gives the same pictures, values
-// and identities as a real stencil with 24-bit depth. VIEWING_LONG_TESTS=N compares N times as many.
+// 16-bit depth is really allocated, without a stencil. The substitute for the stencil gives the same pictures, stencil
+// values and polygon IDs as a real stencil with 24-bit depth. VIEWING_LONG_TESTS=N compares N times as many states.
 #include <cstdlib>
 
 #include "frame/hidden/hidden_views.h"

@@ -1,5 +1,5 @@
-// Side effects and dependencies of a frame: GL's default state after every kind of frame, the same bytes from the same
-// state, and no dependence on capabilities that a driver may lack.
+// Side effects and dependencies of a frame: every kind of frame leaves GL in its default state, the same state gives
+// the same bytes, and no frame depends on capabilities that a driver may lack.
 #include <algorithm>
 
 #include "gl_test.h"

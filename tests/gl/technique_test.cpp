@@ -67,7 +67,7 @@ TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithoutIt) {
     for (int channel = 0; channel < 3; ++channel) {
         EXPECT_GT(lit[channel], 40);
         EXPECT_NEAR(once[channel], lit[channel] * 0.5, 1.5);
-        EXPECT_NEAR(twice[channel], lit[channel] * 0.25, 1.5);  // faces toward the light and faces away: two layers
+        EXPECT_NEAR(twice[channel], lit[channel] * 0.25, 1.5);  // lit and unlit faces cast a layer each
     }
     EXPECT_EQ(color_at(plain({"shadow.enabled=false"}), box_scene(), in_light),
               color_at(plain({}), box_scene(), in_light));
@@ -204,7 +204,7 @@ TEST_F(Technique, EveryOffsetThatFixesFightingGivesTheSameShadow) {
 TEST_F(Technique, MissingLightLeavesTheAmbientPart) {
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), box_scene(), in_shadow);
     const Rgb missing = color_at(plain({"shadow.style=missing_light"}), box_scene(), in_shadow);
-    // With the light below it, the same patch receives only ambient light.
+    // When the light is below the patch, the patch receives only ambient light.
     const Rgb ambient = color_at(plain({"light.position=[4,-8,0,1]"}), box_scene(), in_shadow);
     EXPECT_LE(worst_channel(missing, ambient), 1);
     EXPECT_LT(missing.g, lit.g - 20);

@@ -39,8 +39,8 @@ protected:
         return answer_hidden_question(solver, *question).pictures;
     }
 
-    /// Returns the names of everything that touches a pixel, with the decisions. If a neighboring pixel's text is
-    /// different, there is an edge between the two pixels.
+    /// Returns the pass, the object and the outcome of each fragment that touches a pixel. If a neighboring pixel's
+    /// text is different, there is an edge between the two pixels.
     static std::string touches_of(const PixelChain& chain) {
         std::string text;
         for (const Touch& touch : chain.touches)
@@ -151,7 +151,7 @@ TEST_F(WhyThisPixel, PredictsTheColorsOfPresets) {
     check(seen);
 }
 
-/// Rooms from the list of fields: planes, lights, bounces, styles, mistakes and depth formats at random.
+/// Presets with random planes, lights, bounces, styles, mistakes and depth formats.
 TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
     constexpr unsigned first_seed = 3820;
     Seen seen;
@@ -250,8 +250,8 @@ TEST_F(WhyThisPixel, TellsOnlyTheFightThatDecidesWhatIsSeen) {
     EXPECT_GT(fights["depth-fighting"], 2);
 }
 
-/// A mirror's image at a pixel also lies on the line of sight there, unless the mirror's picture uses another fovy.
-/// Then the row names the pixel where the image belongs, and with the camera's fovy the same point is drawn there.
+/// A mirror's image at a pixel also lies on that pixel's line of sight, unless the image is drawn with a fovy or a
+/// projection of its own. Only in that case does a row name another pixel, where the image belongs.
 TEST_F(WhyThisPixel, AMirrorRowSaysWhereAnImageBelongs) {
     std::map<std::string, int> rows, elsewhere;
     for (const char* const name :

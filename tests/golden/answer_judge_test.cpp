@@ -102,7 +102,7 @@ TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "the abandoned question is asked again";
 }
 
-/// A change that closely follows a save is saved later, at a time when perhaps nothing else wakes the window.
+/// A change soon after a save is saved later. The window must wake for that, since perhaps no input wakes it.
 TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -124,7 +124,7 @@ TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::filesystem::remove_all(folder);
 }
 
-/// The product of the tiles depends on their order and on the state; in the right order it is C.
+/// The product of the tiles depends on their order and on the state; tiles in the right order multiply to C.
 TEST_F(AnswerJudgeTest, TheProductOfTilesFollowsTheirOrderAndTheState) {
     Guide& guide = studio_->workbench.guide;
     const Result<Lesson> walk = load_lesson("fly-and-walk");
@@ -153,8 +153,8 @@ TEST_F(AnswerJudgeTest, TheProductOfTilesFollowsTheirOrderAndTheState) {
 
 class AnswerJudgeSlowTest : public AnswerJudgeTest {};
 
-/// A revealed question shows its right answer, even if the user left another question while that one's answer was
-/// still being measured.
+/// A revealed question shows its own right answer, even if the right answer of the question that the user has just left
+/// is still being measured.
 TEST_F(AnswerJudgeSlowTest, RevealedQuestionsGetTheirRightAnswer) {
     Guide& guide = studio_->workbench.guide;
     const auto reveal = [&](const Lesson& lesson, std::size_t step) {

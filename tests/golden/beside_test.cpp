@@ -1,5 +1,5 @@
 // The second picture, drawn with other settings, is identical, pixel by pixel, to the picture of a state with those
-// settings. This holds for methods that GL draws and for methods that draw by themselves.
+// settings. This holds both for GL's depth buffer and for hidden-surface methods in software.
 #include "app/picture.h"
 #include "gl/gl_test.h"
 #include "state/file/json.h"

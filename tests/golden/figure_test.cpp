@@ -40,7 +40,8 @@ std::string cut_line(const Drawing& drawing) {
         const Line* const line = std::get_if<Line>(&mark.what);
         if (!line || line->characters.empty()) continue;
         const DrawingBox clip{glm::max(mark.clip.min, glm::vec2(0.0F)), glm::min(mark.clip.max, drawing.size_px)};
-        // A text extends from cap height to the baseline and from the first origin to the middle of the last character.
+        // A line of text extends vertically from cap height to the baseline, and horizontally from the first
+        // character's origin to the middle of the last character.
         const float em = line->em_px, top = line->baseline_px - 0.65F * em;
         const float right = line->lefts_px.back() + 0.25F * em;
         const bool is_whole = line->lefts_px.front() >= clip.min.x - 1.0F && right <= clip.max.x + 1.0F &&

@@ -104,7 +104,7 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
         hand_in({{"N1", {number(1), number(2), number(40)}}, {"G1", {near_plane(0.5), near_plane(0.6)}}});
     for (int judged = 0; judged <= 5; ++judged) {
         Grader of_both = grader({number_exercise, measured_exercise});
-        int asked = -static_cast<int>(both.items.size());  // one more call per item, before its exercise is made
+        int asked = -static_cast<int>(both.items.size());  // one more call per item, before its step is made
         of_both.stop_when([&] { return asked++ >= judged; }, "no time");
         const StudentGrade grade = of_both.grade(both, "f.json", {});
         const ItemGrade &typed = grade.items[0], &goal = grade.items[1];

@@ -189,7 +189,7 @@ protected:
         for (int i = 0; i < data.CmdListsCount; ++i)
             for (const Letter& letter : page.letters(*data.CmdLists[i])) all.add(letter, where, image);
         const Layout layout = window.layout();
-        // A plate covers what the question is about, so it is not empty.
+        // A plate with "?" covers what the question is about, so its area does not count as empty.
         std::vector<Rect> full = test::main_view(layout);
         window.texts();
         for (const widgets::RecordedItem& item : widgets::CurrentContext().recorded)

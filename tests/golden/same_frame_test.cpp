@@ -6,7 +6,7 @@
 #include "measure/camera_picture.h"
 #include "ui/window/theme.h"
 
-// The linker sends each call from another source file here (--wrap in CMakeLists.txt).
+// The linker redirects calls from other source files to the functions below (--wrap in CMakeLists.txt).
 #define DERIVE "_ZN7viewing6deriveERKNS_6ParamsERKNS_5SceneERKNS_8ViewportE"
 #define PLAN "_ZN7viewing4planERKNS_6ParamsERKNS_7DerivedERKNS_14HiddenPicturesE"
 
@@ -95,7 +95,7 @@ protected:
     }
 
     /// Expects that the frame shows what this state's snapshot shows, and that further frames change nothing in the
-    /// `steady` part of the window. `before`: the snapshot of the state before the edit.
+    /// `steady` part of the window. `before` is the snapshot of the state before the edit.
     void expect_its_state(const Image& before, const Rect& steady = {{0.0F, 0.0F}, {1280.0F, 1200.0F}}) {
         const Image after = snapshot(), window = in_window(camera()), whole = in_window(steady);
         EXPECT_EQ(renderer().read(studio_->camera_view()), after);
@@ -241,7 +241,7 @@ TEST_F(SameFrameTest, TheNextStepOfALessonIsCoveredAtOnce) {
 
 TEST_F(SameFrameTest, EachFrameOfADragIsDerivedAndPlannedOnce) {
     params().view.lower_right =
-        Topic::from_light;  // the depth buffer's view has its own size, so it derives another time
+        Topic::from_light;  // unlike the depth buffer's view, derives nothing for a size of its own
     rest();
     EXPECT_EQ(derived_count, 0) << "at rest";
     EXPECT_EQ(planned_count, 0) << "at rest";

@@ -60,7 +60,7 @@ TEST_F(WindowTest, ShowsTheSamePictureAsTheCameraSnapshot) {
     }
 }
 
-/// This is the picture that F12 writes.
+/// The studio's camera view is the picture that F12 writes.
 TEST_F(WindowTest, TheCameraPictureMatchesItsStateWithAMaximizedView) {
     const LoadedState state = state_with({"view.layout.big=lower_left"});
     Studio studio(renderer(), Session(state, scene_of(state)));

@@ -286,10 +286,10 @@ TEST_F(Fighting, At24BitsIsPredictedOnlyWhenCertainAndVariesByCamera) {
     EXPECT_GT(at_24.most - at_24.least, 0.3) << "a single picture says little";
 }
 
-/// Where the formulas predict nothing, the window shows the mean of the jittered cameras. A camera that was not counted
-/// must see a share within 4 standard deviations of it, but for a few that see what is rare.
+/// Where the formulas predict no share, the window shows the mean share of the counted jittered cameras. In almost all
+/// cases, the share that a further camera sees is within 4 standard deviations of this mean, plus `rare`.
 TEST_F(Fighting, IsCountedWithItsSpreadWhereNothingIsPredicted) {
-    constexpr double rare = 0.03;  // a share that 12 cameras may not see
+    constexpr double rare = 0.03;  // the 12 counted cameras may all miss a share this small
     int checked = 0, changed = 0, outside = 0;
     double widest = 0.0;
     for (const char* const preset : {"depth-fighting", "fighting-decals", "fighting-decals-equal",
@@ -346,7 +346,7 @@ TEST_F(Fighting, HasNoWrongPixelAboveTheSafeGap) {
             return found.onset.is_reachable ? found.onset.gap() * found.slant : 1e300;
         };
         params.coplanar.gap = 1.003 * needed(pairs[chosen], *close);
-        if (params.coplanar.gap > 0.09) continue;  // as wide as the slider goes
+        if (params.coplanar.gap > 0.09) continue;  // beyond the slider's range
         const Result<Scene> apart = scene_of_gap();
         ASSERT_TRUE(apart) << apart.error();
         for (const CountedPair& counted : count(params, *apart).pairs) {

@@ -35,8 +35,8 @@ GLenum EPOXY_CALLSPEC slow_fence(GLsync sync, GLbitfield flags, GLuint64 timeout
     return is_slow ? GL_TIMEOUT_EXPIRED : ask_fence(sync, flags, timeout_ns);
 }
 
-/// Runs with GL's own reads of depth and stencil, and also without them. Without them, as in the browser, both must be
-/// drawn into a color picture first.
+/// Runs with and without GL's own reads of depth and stencil. Without these reads, as in the browser, depth and stencil
+/// must first be drawn into a color picture.
 class Hovering : public testing::GlTest, public ::testing::WithParamInterface<bool> {
 protected:
     void SetUp() override {

@@ -61,7 +61,7 @@ TEST(ClipSpaceView, MarksTheFaceThatCutsTheFollowedPointOff) {
     };
     EXPECT_EQ(says("PVp÷w"), 1U);
     EXPECT_EQ(says("cutoffbythefarplane"), 0U);
-    desk.params().projection.far = 2.0;  // in front of the box, which the matrices' column also reports
+    desk.params().projection.far = 2.0;  // nearer than the box, so the matrices' column reports it, too
     EXPECT_GE(says("cutoffbythefarplane"), 1U);
     desk.params().view.division = 0.0;
     EXPECT_GE(says("Vp"), 1U);

@@ -1,5 +1,5 @@
-// Columns too short for everything: the matrices that the preset is about come first and are shown in full, the other
-// items give way, and one click leads to anything hidden.
+// In a column that is too short for everything, the matrices that the preset is about have priority and are shown in
+// full, the other items give way, and one click leads to anything hidden.
 #include <algorithm>
 #include <numeric>
 #include <random>

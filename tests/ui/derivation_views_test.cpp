@@ -98,7 +98,7 @@ TEST_F(DerivationViews, ALightAtTheOriginStaysAPointLight) {
     EXPECT_GT(params.lights.front().position.w, 0.0);
 }
 
-/// In every state and at every size, the views draw something, and drawing changes no state.
+/// The views can be drawn in every state and at every size, and drawing changes no state.
 TEST_F(DerivationViews, DrawInEveryStateAndSize) {
     const glm::dvec4 lights[] = {{2.6, 5.2, 2.2, 1}, {2.6, 5.2, 2.2, 0}, {2.6, 5.2, 2.2, 1e-7}, {0, 5, 0, 1},
                                  {0, -5, 0, 0},      {1, 0, 0, 0},       {1e6, 1e6, 1e6, 1},    {0, 0, 0, 1},

@@ -47,7 +47,7 @@ inline Session session_of(const std::string& state) {
     return std::move(*session);
 }
 
-/// An area of the window, and how far its content extends beyond its edges, where it is cut off.
+/// An area of the window, and how much of its content is cut off beyond its edges.
 struct AreaFacts {
     std::string name;
     Rect rect;
@@ -302,8 +302,8 @@ private:
     int solver_version_ = -1;
     std::shared_ptr<const HiddenAnswer> answer_;
 
-    /// Measures how far the content of each area extends beyond its edges. ImGui reports that to code that appends to a
-    /// window after it is drawn.
+    /// Measures how far the content of each area extends beyond its edges. ImGui reports these distances only between
+    /// Begin() and End(), so this reopens each window after it is drawn.
     void measure_areas() {
         areas.clear();
         for (const char* name : {"top", "panel", "matrices", "views", "lower views"}) {

@@ -58,7 +58,7 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
     EXPECT_TRUE(rows().empty());
 }
 
-/// On stage there are no buttons: counting starts once, with the step, and shows operation counts, which are the same
+/// On stage there are no buttons: counting starts by itself, only once, and shows operation counts, which are the same
 /// on all machines.
 TEST_F(GrowthView, OnStageItMeasuresByItself) {
     HiddenStatus status;

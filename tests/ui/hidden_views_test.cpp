@@ -234,7 +234,7 @@ TEST_F(LargeHiddenViews, LongListsBuildOnlyVisibleRowsAndScrollOnceToTheSelectio
     const Rect rect = desk.layout().lower_right;
     EXPECT_GE(row.min.y, rect.min.y);
     EXPECT_LE(row.max.y, rect.max.y);
-    // After that, the wheel can scroll away from the row.
+    // Once the row is in view, the wheel can scroll away from it.
     ui.hover(label);
     for (int i = 0; i < 60; ++i) {
         ImGui::GetIO().MouseWheel = 5.0F;

@@ -217,8 +217,8 @@ std::vector<std::string> found_where(float Arrangement::*column, float narrower,
     return found;
 }
 
-/// Columns tolerate some narrowing. The test narrows a column in steps of 20 pixels until something no longer fits, and
-/// expects the same when it is another 20 pixels narrower.
+/// Columns tolerate some narrowing. The test narrows a column in steps of 20 pixels until it finds a problem, and
+/// expects to find one in the next step, too.
 TEST(Layout, AColumnTwentyPixelsTooNarrowIsDetected) {
     for (float Arrangement::*const column : {&Arrangement::panel_width, &Arrangement::matrices_width}) {
         float narrower = 0.0F;

@@ -123,7 +123,8 @@ TEST(OnStage, ShortChoicesAreInTwoColumns) {
     }
 }
 
-/// Beside matrices, a followed point shows what they make of it: no mirror image where nothing is mirrored.
+/// Next to the matrices, a followed point is shown with its products by the matrices of the step: no R p while
+/// nothing is mirrored, and no S p while there is no shadow.
 TEST(OnStage, AFollowedPointShowsTheNumbersOfItsMatrices) {
     Desk desk({1280, 720});
     const auto names = [&] {
@@ -188,7 +189,8 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
     const bool is_alone = listed.big != BigView::none;
     require(is_alone || !step.names_lower_left || is_drawn(layout.lower_left), "the left view");
     require(is_alone || !step.names_lower_right || is_drawn(layout.lower_right), "the right view");
-    const bool has_control = listed.controls != std::vector<std::string>{"view.call"};  // the pixel grid steps
+    // The control of view.call is in the view that it steps, not in the panel.
+    const bool has_control = listed.controls != std::vector<std::string>{"view.call"};
     require(listed.controls.empty() || !has_control || is_drawn(layout.panel), "the controls");
     for (const std::string& matrix : listed.matrices) {
         if (matrix == "follow" || matrix == "display") continue;
@@ -205,8 +207,8 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
     return missing;
 }
 
-/// Returns the objects that may be visible below the plate with a step's controls: the box around one of their
-/// triangles overlaps it on screen.
+/// Returns the objects that the plate with a step's controls may hide, that is, the objects with a triangle whose
+/// bounding box on screen overlaps the plate.
 std::set<std::string> objects_below_plate(const Desk& desk) {
     const Layout layout = desk.layout();
     std::set<std::string> below;
@@ -216,7 +218,7 @@ std::set<std::string> objects_below_plate(const Desk& desk) {
                std::min({a.x, b.x, c.x}) < layout.panel.max.x && std::min({a.y, b.y, c.y}) < layout.panel.max.y;
     };
     for (const SceneObject& object : desk.session.scene().objects) {
-        if (object.description.name == "planet") continue;  // it is the ground
+        if (object.description.name == "planet") continue;  // the planet is the ground
         std::vector<ImVec2> places;
         for (const glm::vec3& position : object.mesh->positions)
             places.push_back(desk.in_camera_view(object.world_from_model * glm::dvec4(position, 1.0)));
@@ -230,7 +232,7 @@ std::set<std::string> objects_below_plate(const Desk& desk) {
 
 /// The whole lecture, before and after each answer: everything that a step names is drawn whole and without switches,
 /// the main view is large, its objects are not below the controls, and nothing moves when the answer appears. The text
-/// begins at one height in all steps of a lesson. For a report, records the fraction that the main view occupies.
+/// begins at the same height in all steps of a lesson. For a report, records the fraction that the main view occupies.
 TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     Desk desk(GetParam().size);
     desk.params().ui.theme = GetParam().theme;
@@ -541,7 +543,7 @@ std::vector<std::string> texts_on_top(const Desk& desk) {
     return texts;
 }
 
-/// Returns the same lines as one sentence.
+/// Returns the lines of texts_on_top(), joined by spaces.
 std::string told_on_top(const Desk& desk) {
     std::string told;
     for (const std::string& line : texts_on_top(desk)) told += (told.empty() ? "" : " ") + line;

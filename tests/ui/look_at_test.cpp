@@ -44,7 +44,7 @@ TEST(LookAtTab, KeepsWhatIsTypedWhileItIsTheCamera) {
     desk.params().camera.look({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}});
     desk.click(by_points);
     desk.settle();
-    desk.enter("camera/up/z", "3");  // not perpendicular to the view: the same camera
+    desk.enter("camera/up/z", "3");  // an up that is not perpendicular to the view gives the same camera
     desk.settle();
     EXPECT_EQ(desk.ui.find("camera/up/z").text, "3.00");
     EXPECT_EQ(desk.params().camera.angles(), Angles{});

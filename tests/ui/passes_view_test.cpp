@@ -1,5 +1,5 @@
 // Stepping through the frame pass by pass: the bar, the list, and the value of view.pass. gl/pass_limit_test.cpp tests
-// what GL then draws.
+// what GL draws up to a pass.
 #include "ui/planes/passes_view.h"
 
 #include <algorithm>
@@ -180,7 +180,7 @@ TEST_F(PassesView, APassPastTheLastOneShowsTheWholeFrame) {
     }
 }
 
-/// Frames of these methods are always drawn whole, and the view says so.
+/// Frames of methods that run in software are always drawn whole, so the view offers no stops.
 TEST_F(PassesView, HiddenSurfaceMethodsHaveNoStops) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                           VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast}) {

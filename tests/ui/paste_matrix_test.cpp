@@ -51,7 +51,8 @@ TEST(PasteMatrix, TheMenuOfEachMatrixKnowsItsLetter) {
     Desk desk;
     desk.click("matrices/Show C");
     desk.settle();
-    desk.clipboard = matrix_text("m", glm::inverse(pasted_view), MatrixFormat::numpy);  // no name: C by its position
+    // The name m says nothing about the matrix, but the first Copy menu belongs to C.
+    desk.clipboard = matrix_text("m", glm::inverse(pasted_view), MatrixFormat::numpy);
     paste_into(desk, 0);
     EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
     desk.clipboard = "no matrix";
@@ -131,7 +132,7 @@ TEST(PasteMatrix, PIsTakenWithItsLens) {
     EXPECT_EQ(projection.aspect, 1.5);
 }
 
-// A state on the clipboard stays a state.
+// A state on the clipboard is still pasted as a state.
 TEST(PasteMatrix, StatesAreStillPasted) {
     Desk desk;
     desk.clipboard = R"({"projection": {"fovy": 55}})";

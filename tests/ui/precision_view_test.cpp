@@ -92,10 +92,10 @@ TEST_F(PrecisionView, CodesAreSummarizedInASentence) {
     EXPECT_TRUE(says("One tick every"));
 }
 
-/// The window is so small that the views are as small as they can be.
+/// The window is so small that the views have their smallest size.
 TEST_F(PrecisionView, WorksInSmallViewsAndForAnyLens) {
     ImGui::GetIO().DisplaySize = {700, 480};
-    params.view.lower_left = Topic::automatic;  // only one of the two fits
+    params.view.lower_left = Topic::automatic;  // only one of the two lower views fits
     for (const Topic topic : {Topic::precision, Topic::codes}) {
         for (const char* format : {"d4", "d16", "d24", "d32f"}) {
             for (const char* mapping : {"standard", "reversed", "logarithmic"}) {

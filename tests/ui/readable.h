@@ -11,8 +11,8 @@
 
 namespace viewing::test {
 
-/// Returns whether a window may scroll, so that content may continue below. A child window's name begins with its
-/// parent's.
+/// Returns whether a window may scroll, so that content may continue below. Child windows may always scroll: their
+/// names only begin with the names listed here.
 inline bool scrolls(const std::string& window) {
     return window != "top" && window != "status" && window != "views" && window != "lower views" &&
            window != "message" && window != "lesson";

@@ -120,8 +120,8 @@ TEST(StageLayout, ViewsShrinkBeforeMatricesAndControls) {
     EXPECT_GT(layout.lower_left.height(), 80.0F * scale);
 }
 
-/// Two controls leave a column that is too short for its views for a plate over the picture; then the views have their
-/// height.
+/// If a column is too short for its views and two controls, the controls move to a plate over the picture, and the
+/// views keep their height as long as the column has room for them.
 TEST(StageLayout, ControlsLeaveACrowdedColumn) {
     Arrangement arrangement = on_stage();
     arrangement.matrices_folded = true;

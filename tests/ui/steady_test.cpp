@@ -98,7 +98,7 @@ TEST_F(Steady, MatricesStayInPlaceWhenEditedOrFollowingAPoint) {
     expect_as_before(before, "a followed point");
 }
 
-/// From step to step, the scale and the height of the question stay the same.
+/// From step to step, the window's scale and the question's vertical position stay the same.
 TEST(SteadyStrip, StaysInPlaceFromStepToStep) {
     for (const LessonFile& file : lessons()) {
         SCOPED_TRACE(file.path.stem().string());
@@ -119,7 +119,7 @@ TEST(SteadyStrip, StaysInPlaceFromStepToStep) {
     }
 }
 
-/// A step's question, answers, and buttons stay in place, regardless of its text.
+/// A step's question, answers and Check button stay in place when hints, explanations or the right answer appear.
 TEST(SteadyStrip, StaysInPlaceFromTheQuestionToTheAnswer) {
     struct Window {
         ImVec2 size;
@@ -168,7 +168,7 @@ TEST(SteadyStrip, StaysInPlaceFromTheQuestionToTheAnswer) {
             const float check = before.contains("lesson strip/Check") ? before.at("lesson strip/Check") : 0.0F;
             if (!sorts)
                 expect_as_before("the answer");
-            else  // its tiles change places
+            else  // the right answer moves the tiles
                 EXPECT_EQ(desk.ui.find("lesson strip/Check").min.y, check);
         }
     }

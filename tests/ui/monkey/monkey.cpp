@@ -325,7 +325,7 @@ private:
             require(first == start, "undo does not lead to the start:" + difference(first, start));
             require_it_reads_back(session);
         }
-        for (int step = 0; step < steps; ++step) {  // no further: if the last action was an undo, redos remain
+        for (int step = 0; step < steps; ++step) {  // not all redos: if the last action was an undo, there are more
             window.tap("z", true, true);
             session.finish_loading();
         }
@@ -411,7 +411,7 @@ int write_script(char** argv) {
     const glm::ivec2 size_px(number<int>(argv[2]), number<int>(argv[3]));
     const auto seed = number<std::uint32_t>(argv[5]);
     const Result<LoadedState> state = load_state(argv[7]);
-    const bool is_whole = state && Session::make(*state);  // false if a file that it names is gone
+    const bool is_whole = state && Session::make(*state);  // false if a file that the state names is gone
     Desk desk({static_cast<float>(size_px.x), static_cast<float>(size_px.y)}, is_whole ? argv[7] : "opening");
     const fs::path things = fs::current_path() / "things";
     if (!fs::exists(things)) make_things(things);

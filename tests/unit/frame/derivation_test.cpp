@@ -119,7 +119,7 @@ TEST(ShadowDerivation, DefinesAndReportsEverySpecialCase) {
     }
 }
 
-/// Decides as a clipper does, by comparing the sign of w with that of Π·L.
+/// Expects an anti-shadow exactly where a clipper would see one: where the signs of w and Π·L differ.
 TEST(ShadowDerivation, AntiShadowIsWhereWChangesSign) {
     Random random(seed + 1);
     for (int i = 0; i < 300; ++i) {

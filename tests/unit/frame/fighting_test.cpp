@@ -112,7 +112,7 @@ TEST(FightingOnset, IsAboutAStepForWideCodes) {
 }
 
 TEST(FightingOnset, IsArithmeticAtTheFarEndOfReversedFloats) {
-    // The code is as narrow as 1e-9 there, but float32 arithmetic limits the result to about 1e-5.
+    // At z = 99.99, a code is only about 1e-9 wide, but float32 arithmetic limits the onset to about 1e-5.
     for (const double near : {1.0, 0.1, 0.001}) {
         const DepthCoding coding{{.near = near, .far = 100.0}, DepthMapping::reversed, {32, true}, true};
         const FightingOnset onset = fighting_onset(coding, 99.99);

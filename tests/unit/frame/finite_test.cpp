@@ -1,4 +1,5 @@
-// No state within the limits of the fields yields a non-finite entry, so the test corrupts the matrices by hand.
+// Tests check_finite(). No state within the limits of the fields yields a non-finite entry, so the test corrupts the
+// matrices by hand.
 #include "frame/finite.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Each sentence in the sources that reports a problem is shown by at least one state: a preset, or one of the states
-// below. Each sentence has its values and an id, which is the same in every language.
+// below. Each sentence that is shown contains its values and has an id, which is the same in every language.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -18,11 +18,11 @@ namespace fs = std::filesystem;
 using testing::box_scene;
 using testing::problems_of;
 
-/// A sentence in the sources.
+/// A sentence in the sources: a template with placeholders in braces.
 struct Written {
     std::string id, english;
 
-    /// Returns whether a sentence consists of the template's fixed parts, in order.
+    /// Returns whether a sentence contains the fixed parts of this template, in order.
     bool fits(const std::string& sentence) const {
         std::size_t at = 0, from = 0;
         while (from < english.size()) {
@@ -76,7 +76,7 @@ std::string by_hand(const char* letter, const char* rows) {
     return std::string("overrides.") + letter + (is_projection ? "_from_view=" : "_from_world=") + rows;
 }
 
-/// Settings for sentences that no preset shows, on the state of the box on the floor.
+/// Settings that, with the box on the floor, show sentences that no preset shows.
 const std::vector<std::vector<std::string>>& box_states() {
     static const std::vector<std::vector<std::string>> all = {
         {"cull.enabled=true", "cull.face=front_and_back"},
@@ -178,7 +178,7 @@ const std::vector<std::vector<std::string>>& box_states() {
     return all;
 }
 
-/// Returns a mesh from a file of one long, thin triangle, or of a small square with a stray vertex.
+/// Returns a scene with a mesh, as if from a file: a thin sliver, or vertices at one point and one stray vertex.
 Scene mesh_state(bool is_thin) {
     Mesh mesh;
     for (int i = 0; i < 300; ++i)
@@ -192,7 +192,7 @@ Scene mesh_state(bool is_thin) {
     return testing::scene_of({made});
 }
 
-/// States with other scenes or drivers.
+/// Adds the problems of states that need another scene or another driver.
 void add_others(std::vector<Problem>& shown) {
     const auto add = [&](const std::vector<std::string>& settings, const Scene& scene, const Viewport& viewport) {
         for (Problem& problem : problems_of(testing::params_with(settings), scene, viewport))
