@@ -34,9 +34,9 @@ struct PrecisionChartStyle {
 
 /// Plots the step Δz of a depth buffer over the eye distance z, on logarithmic axes. Curves that are not emphasized are
 /// faint; no curve has markers. Near and far are vertical lines to drag (Alt for finer steps); a right-click resets
-/// one, or both if the other is in the way. 0 < near < far holds after every edit. If a distance is not finite and
-/// positive, it has no line; if it is outside the axis, its line is at the axis's end. The readout shows z, and Δz of
-/// the first emphasized curve. Returns true when near or far was edited.
+/// one to its default, or both if near < far would not hold. 0 < near < far holds after every edit. If a distance is
+/// not finite and positive, it has no line; if it is outside the axis, its line is at the axis's end. The readout shows
+/// z, and Δz of the first emphasized curve. Returns true when near or far was edited.
 bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& near, double& far,
                     const PrecisionChartStyle& style);
 
@@ -47,15 +47,16 @@ struct CodeTicksStyle {
     const char* z_title = "eye distance z";
     const char* first_depth = "0";              ///< at the left end of the upper row
     const char* last_depth = "1";               ///< at its right end
-    bool ends_at_far = true;                    ///< off: the axis ends at `far`, but the codes do not
+    bool ends_at_far = true;                    ///< false: codes reach beyond `far`, where the axis ends
     std::span<const std::uint32_t> codes = {};  ///< the stored integer of each tick, for the readout; may be empty
     ImVec2 size{0.0F, 0.0F};                    ///< in pixels; 0: the available size. At least 180×120 design pixels
 };
 
 /// Draws stored codes between near and far as two rows of ticks joined by lines. The upper row has the codes, equally
 /// spaced; the lower row has the eye distances that they represent. `eye_distances` belong to equally spaced codes,
-/// from left to right; if they are too dense, only some are drawn. A distance outside near…far has no line. Unless both
-/// are finite and near < far, shows a sentence instead. Returns the index of the tick under the pointer, otherwise −1.
+/// from left to right; if they are too dense, only some are drawn. A distance outside near…far has no line. Without
+/// distances, or unless near and far are finite and near < far, shows a sentence instead. Returns the index of the
+/// tick under the pointer, otherwise −1.
 int CodeTicks(const char* id, std::span<const double> eye_distances, double near, double far,
               const CodeTicksStyle& style = {});
 
@@ -98,7 +99,7 @@ constexpr int most_cells = 4096, most_cells_with_text = 1024;
 
 /// Draws a block of pixels as large squares in the middle of the area. Each square has its text in black or white,
 /// whichever has more contrast; pointing at a cell shows text that does not fit. `cells`: row by row, top row first;
-/// missing ones stay empty. A click selects a cell. A click on the selected cell or outside the cells, or a
+/// missing cells stay empty. A click selects a cell. A click on the selected cell or outside the cells, or a
 /// right-click, clears the selection. With too many cells or none, shows a sentence instead. Returns true when
 /// `selected` (−1: none) changed.
 bool CellGrid(const char* id, std::span<const Cell> cells, int columns, int rows, int& selected,

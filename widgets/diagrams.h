@@ -18,7 +18,7 @@ struct TreeNode {
     std::string_view label = {};             ///< short: a number
     int mark = -1;                           ///< its number in a traversal, drawn beside it; −1: not visited
     ImU32 color = 0;                         ///< chosen by meaning; 0: neutral
-    int eye_side = 0;                        ///< 1: the eye is in front, −1: behind; highlights that edge. 0: neither
+    int eye_side = 0;                        ///< 1: eye in front, −1: behind, 0: neither; highlights that side's edge
 };
 
 /// The positions of a tree's nodes: one row per level, front before back, at least 1 apart in a row, with each parent
@@ -101,7 +101,7 @@ struct LogChartStyle {
 /// curve, otherwise −1.
 int LogChart(const char* id, std::span<const ChartCurve> curves, const LogChartStyle& style);
 
-/// Draws the same chart in a rectangle of any draw list, for export. `pointer` may be null.
+/// Draws the chart of LogChart in a rectangle of any draw list, for export. `pointer` may be null.
 int DrawLogChart(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const ChartCurve> curves,
                  const LogChartStyle& style, const ImVec2* pointer = nullptr);
 

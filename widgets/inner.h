@@ -80,7 +80,8 @@ void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view te
 
 /// Starts a new frame for the covered and highlighted targets.
 void BeginTargets(Targets& targets);
-/// Draws a plate if the box's name is covered. Returns whether it is. `component`: −1 for a box on its own.
+/// If the box's name is covered, draws a plate and returns true. `component`: the box's index in a row, or −1
+/// for a box on its own.
 bool CoveredBox(const char* id_text, int component, ImVec2 size);
 /// Marks the last item, a box, with the name that the current scope gives this box.
 void MarkBox(int component);

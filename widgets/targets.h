@@ -68,7 +68,7 @@ bool HasPlainTitles();
 void MarkTarget(std::string_view name);
 void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max);
 
-/// Does the same for one of several lines of text; its frame does not extend into the neighboring lines.
+/// Like MarkTarget, for one of several lines of text: the frame does not extend into the neighboring lines.
 void MarkLine(std::string_view name);
 void MarkLine(std::string_view name, ImVec2 min, ImVec2 max);
 

@@ -91,7 +91,7 @@ struct Editing {
     ImVec4 tooltip_of{-1.0F, -1.0F, -1.0F, -1.0F};  ///< rectangle of the item under the resting pointer
     int tooltip_frame = 0;
     float tooltip_time_s = 0.0F;
-    float tooltip_rest_s = 0.0F;  ///< since the pointer last moved over it
+    float tooltip_rest_s = 0.0F;  ///< time since the pointer last moved over the item
     bool tooltip_muted = false;   ///< the item was clicked: no tooltip until the pointer leaves it
     ImVec2 tooltip_size;          ///< of the shown tooltip
     int tooltip_frames_due = 0;   ///< frames since the tooltip became due
@@ -179,14 +179,15 @@ struct Group {
 void Record(const char* label, std::string_view text = {});
 
 /// Counts the current window, a scrolling child or table, in Context::seen_share and used_share, and marks its lower
-/// edge if its content continues below. Call before it ends.
-/// `is_filled`: another counted window fills it, so its own height is ignored. `fade`: height of the mark in design
-/// pixels.
+/// edge if its content continues below. Call before the window ends.
+/// `is_filled`: another counted window fills this one, whose used height is ignored. `fade`: height of the mark, in
+/// design pixels.
 void CountScrolled(bool is_filled = false, float fade = 34.0F);
 
 /// Returns a label for ImGui itself: the text in the current language, with an id that is English in every language.
 std::string LabelText(const char* label);
-/// Returns the same label, wrapped to the width available at the cursor, of which ImGui itself needs `taken` pixels.
+/// Returns the label of LabelText, wrapped to the width available at the cursor. ImGui itself needs `taken` pixels of
+/// that width.
 std::string BrokenLabelText(const char* label, float taken);
 
 // ---- text ------------------------------------------------------------------------------------------
@@ -198,7 +199,7 @@ std::optional<double> ParseNumber(std::string_view text, std::string_view unit =
 /// Wraps text only at spaces, so that lines are at most `width` pixels wide in the current font if possible. ImGui
 /// would also break within "0.5".
 std::string BrokenAtBlanks(std::string_view text, float width);
-/// Does the same in a given font at its own size; also works outside a frame.
+/// Wraps text in the same way, but in the given font at its own size; also works outside a frame.
 std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& font);
 /// Returns as much of the beginning of the text as fits into `width` pixels in the current font, with "…" if anything
 /// was cut.
@@ -283,7 +284,7 @@ float ToggleWidth(const char* label);                             ///< width of 
 /// Draws a combo box of names; a right-click resets to `default_index`. `width` 0: as wide as the longest name.
 bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width = 0.0F);
 float ChoiceWidth(std::span<const char* const> names);  ///< width that shows the longest name in full, in pixels
-/// Draws the same choice as a row of radio buttons. `tips` explain the buttons on hover.
+/// Like Choice, but draws a row of radio buttons. `tips` explain the buttons on hover.
 bool Segments(const char* label, int& index, std::span<const char* const> names, int default_index,
               std::span<const char* const> tips = {});
 
@@ -304,14 +305,14 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
 
 /// Draws ImGui's text field, with the width set for the next item. Use it for text that other code may also change.
-/// Returns ImGui's result. `hint` shows in an empty field. `to_end`: puts the caret behind the text, of which nothing
-/// is selected, as soon as the field is active; then it is false again.
+/// Returns ImGui's result. `hint` shows in an empty field. `to_end`: if true, as soon as the field is active, the caret
+/// moves to the end of the text, nothing is selected, and the flag becomes false.
 bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0,
                bool* to_end = nullptr);
 /// Draws a field for text that counts only when complete: `value` changes only in the frame in which the user leaves
 /// the field with a different text (by Enter, Tab, a click elsewhere or EndTyping). Escape restores the old text.
 bool EntryField(const char* label, std::string& value);
-/// Does the same for a paragraph: a field over the whole width, as high as the wrapped text. Enter ends typing.
+/// Draws an EntryField for a paragraph: over the whole width and as high as the wrapped text. Enter ends typing.
 bool ParagraphField(const char* label, std::string& value);
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< width on one line, in pixels

@@ -10,7 +10,7 @@ import browser
 import firefox
 import native
 
-BEYOND = 8, 0.01  # levels, share: another driver's antialiasing
+BEYOND = 8, 0.01  # another driver's antialiasing: at most this share of pixels differs by more than 8 levels
 
 OPEN = """
 const [fragment, done] = arguments;

@@ -149,7 +149,7 @@ class Input(browser.Test):
 
 class Touch(browser.Checked):
     def setUp(self):
-        # One browser per test: after two fingers, Chromium sends no more of them to the next page that is loaded.
+        # One browser per test: after a two-finger gesture, Chromium sends no touches to the next page that it loads.
         self.page = browser.Page(size=(1024, 768), touch=True)
         self.addCleanup(self.page.close)
         self.page.open()

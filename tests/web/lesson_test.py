@@ -37,8 +37,8 @@ class Lesson(browser.Test):
             right = [number for number, choice in enumerate(ask["choices"], 1) if choice.get("right")]
             self.page.click(f"lesson strip/answers/choice {right[0]}")
             return
-        # The first vector is where V sends the origin, for a camera without rotation; the second is the camera's
-        # position.
+        # A question with apply() asks where V sends the origin: to −position, as the camera has no rotation. Any other
+        # question asks for the camera's position.
         vector = [-value for value in position] if "apply" in ask["expect"] else position
         for name, value in zip("xyz", vector):
             self.page.enter(f"lesson strip/answers/answer/{name}", f"{value:g}")

@@ -101,7 +101,7 @@ class Page(browser.Test):
         self.assertLessEqual(size, MOST_BYTES)
         english = self.page.screen()
         self.page.open(native.fragment("opening", "--set", "ui.language=ko"))
-        if self.page.field("ui.language") != "ko":  # a link does not carry the user's looks
+        if self.page.field("ui.language") != "ko":  # a link does not carry the user's language
             self.page.ask("page_set", 'ui.language="ko"')
             self.page.settle()
         self.page.until("a Korean font", lambda: KOREAN[0] in self.fetched())
@@ -129,7 +129,7 @@ class SingleFile(browser.Checked):
         self.page.click("top/Look")
         self.page.click("한국어")
         self.page.key("Escape")
-        self.page.mouse("mouseMoved", (600, 704))  # over nothing that it would highlight
+        self.page.mouse("mouseMoved", (600, 704))  # a place where the pointer highlights nothing
         self.page.settle(0.5)
         korean = self.page.screen()
         self.assertEqual(self.page.field("ui.language"), "ko")

@@ -18,9 +18,9 @@ Threshold = collections.namedtuple("Threshold", "levels share reason", defaults=
 # Presets that never rest, because every frame is a different picture.
 MOVING = {"fighting-jiggle"}
 
-# With the same Mesa as the desktop program, at most this share of pixels has a channel that differs by more levels.
+# With the same Mesa as the desktop program: in at most `share` of the pixels, a channel differs by more than `levels`.
 USUAL = Threshold(2, 0.001)
-# Another rasterizer: edges fall on other pixels.
+# SwiftShader is another rasterizer, so edges fall on other pixels.
 USUAL_ELSEWHERE = Threshold(8, 0.01)
 LOOSER = {}  # none: the driver is the same
 FIGHTS = Threshold(8, 0.1, "surfaces at equal depth: the last bit of the driver's interpolation decides which wins at a pixel")

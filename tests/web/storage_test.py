@@ -96,7 +96,7 @@ class NotKept(student.Student, browser.Checked):
         [button] = [button for button in self.page.driver.find_elements("css selector", "#notice button") if student.NUMBER in button.text]
         button.click()
         self.assertEqual(self.attempts(self.page.downloaded(f"{student.NUMBER}.json")), [7])
-        self.page.complaints()  # the trap
+        self.page.complaints()  # discards the messages about the trap, which are expected
 
     def test_blocked_storage_is_reported_for_looks_and_answers(self):
         self.page.close()
@@ -126,8 +126,8 @@ class NotKept(student.Student, browser.Checked):
         self.assertNotEqual(self.bar(), "")
 
 
-# In a tab: `hand_in`, with one attempt, arrives from another tab `count` times, each with its own number from `first`
-# on. The program merges each with its own data and writes all. Resolves when everything is saved.
+# Runs in a tab as if another tab had written `hand_in`, with one attempt, `count` times; the attempts are numbered from
+# `first` on. The program merges each `hand_in` with its own data and writes the result. Resolves when all is saved.
 WRITE = """
 const [name, hand_in, first, count, done] = arguments;
 const [attempt] = hand_in.items[0].attempts;

@@ -55,7 +55,7 @@ public:
         io.MousePos = ImVec2(-1, -1);
         for (int key = first_key; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key - first_key;
 #if IMGUI_VERSION_NUM >= 18700
-        io.BackendUsingLegacyKeyArrays = 1;  // even before the first key is pressed
+        io.BackendUsingLegacyKeyArrays = 1;  // ImGui itself sets this only when the first key is pressed
 #endif
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;

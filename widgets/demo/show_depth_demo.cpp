@@ -28,8 +28,8 @@ std::vector<glm::dvec2> IntegerSteps(int bits, double near, double far) {
     return points;
 }
 
-/// Does the same for the step of a stored float with reversed depth or, if `is_arithmetic`, the error of the depth
-/// arithmetic, estimated as 10⁻⁷ near/z. Both are converted to eye distance.
+/// Returns the step of a stored float with reversed depth or, if `is_arithmetic`, the error of the depth arithmetic,
+/// estimated as 10⁻⁷ near/z. Both are converted to eye distance.
 std::vector<glm::dvec2> ReversedFloatSteps(double near, double far, bool is_arithmetic) {
     std::vector<glm::dvec2> points;
     for (int i = 0; i <= 400; ++i) {

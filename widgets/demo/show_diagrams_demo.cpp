@@ -62,7 +62,7 @@ void ShowTreeAndSteps(const Palette& palette) {
 
     if (!Section("Tree and steps", true, "drag · wheel · double-click")) return;
     StepBar("steps", step, 2 * node_count, player, ImGui::GetIO().DeltaTime);
-    // Each of the first steps builds a node; each of the others visits one.
+    // The first node_count steps each build a node; the later ones each visit a node.
     const int reached = step < 0 ? 2 * node_count : step, visited = std::max(reached - node_count, 0);
     for (int i = 0; i < node_count; ++i) {
         tree.At(i).mark = -1;

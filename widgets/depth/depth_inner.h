@@ -33,7 +33,7 @@ DragLineUse UseLine(const DragLine& line, float top, float bottom);
 struct DragLinesUse {
     DragLineUse low, high;
 };
-/// Does the same for two lines. If they coincide, the pointer grabs the one on its own side.
+/// Adds the items of two lines. Where they overlap, the pointer grabs the nearer line.
 DragLinesUse UseLines(const DragLine& low, const DragLine& high, float top, float bottom);
 /// Draws a line with a grip at its top.
 void DrawDragLine(ImDrawList* draw, float x, float top, float bottom, ImU32 color, const DragLineUse& use);

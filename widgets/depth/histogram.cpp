@@ -59,7 +59,7 @@ void DrawBars(ImDrawList* draw, const Plot& plot, std::span<const std::uint32_t>
     const Palette& palette = CurrentContext().palette;
     const float width = plot.max.x - plot.min.x;
     const std::size_t count = counts.size();
-    // Merge bars narrower than a design pixel; the highest one sets the height.
+    // Merge bars that would be narrower than a design pixel; the highest count sets the height of a merged bar.
     const std::size_t drawn = std::clamp<std::size_t>(static_cast<std::size_t>(width / Px(1)), 1, count);
     const float step = width / static_cast<float>(drawn), gap = step >= Px(4) ? Px(1) : 0.0F;
     const ImU32 inside = Shown(palette.accent);

@@ -36,7 +36,7 @@ struct Distances {
     double near, far;
 };
 
-/// Resets `value` to its default, or both values if the other is in the way.
+/// Resets `value` to its default, or both values if near < far would not hold.
 void Reset(double& value, double default_value, Distances& edited, const PrecisionChartStyle& style) {
     if (!IsDistance(default_value)) return;
     value = default_value;

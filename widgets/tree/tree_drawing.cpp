@@ -203,8 +203,8 @@ private:
     }
 
     /// Draws the traversal number on the side away from the edge to the parent: beside the box if it fits, otherwise
-    /// above it. Above, uses smaller type if the number would overlap a neighbor's, but not on stage; omits the number
-    /// if it would overlap even so.
+    /// above it. Off stage, a number above the box is smaller at a low zoom or if it would overlap a neighbor's. Omits
+    /// a number that would still overlap.
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);

@@ -28,8 +28,8 @@ std::string all_of(const std::vector<Problem>& problems) {
     return text;
 }
 
-/// Scenes with a box on the floor in front of the eye and another box: one that crosses the floor, one below the floor,
-/// and one that is higher than the light.
+/// The first four scenes have a box on the floor in front of the eye and a second box that crosses the floor, lies
+/// below it, or reaches above the light.
 Scene crossing_scene() {
     return scene_of({object("box", box_mesh(), {0, 1, 0}), object("sunk", box_mesh(), {2, 0, 0})});
 }
@@ -77,7 +77,7 @@ struct Case {
     std::string group, words;
     Scene (*scene)();
     Settings told, not_told;
-    Scene (*scene_of_not_told)() = nullptr;  ///< null if it is the same scene
+    Scene (*scene_of_not_told)() = nullptr;  ///< null: `scene`, as for `told`
 };
 
 const std::vector<Case>& cases() {
@@ -536,7 +536,7 @@ TEST(Problems, BrokenPictureIsReportedOnThePicture) {
         const std::vector<Problem> problems = problems_with(settings, high_scene());
         return std::ranges::count(problems, ProblemKind::wrong, &Problem::kind);
     };
-    EXPECT_EQ(breaks({}), 0);  // the tower above the light is not the effect of a switch
+    EXPECT_EQ(breaks({}), 0);  // no switch causes the problem of the tower above the light
     EXPECT_EQ(breaks({"light.position=[3,-4,2,1]"}), 0);
     EXPECT_EQ(breaks({"shadow.offset=none"}), 1);
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // between a point light and a parallel one
@@ -544,7 +544,8 @@ TEST(Problems, BrokenPictureIsReportedOnThePicture) {
     EXPECT_EQ(breaks({"reflection.reflect_light=false", "shadow.stencil_once=false"}), 2);
 }
 
-/// The box reaches from z = −1 to 1, the mirror is z = −3, and the eye is at z = 5: the image reaches from 10 to 12.
+/// The box reaches from z = −1 to 1, the mirror is z = −3, and the eye is at z = 5, so the mirror image
+/// of the box reaches from 10 to 12 in front of the eye.
 TEST(Problems, FarCutsAnImageWhereItsVerticesAre) {
     const auto told = [](const std::string& far) {
         return problems_with({"plane.equation=[0,0,1,3]", "camera.position=[0,1,5]", "camera.yaw=0", "camera.pitch=0",
@@ -559,7 +560,7 @@ TEST(Problems, FarCutsAnImageWhereItsVerticesAre) {
         EXPECT_FALSE(says(told(keeps), "view", "cuts off")) << keeps << ": " << all_of(told(keeps));
 }
 
-/// Applying the fix removes the sentence and puts every vertex on the eye's side of the plane.
+/// Applying the fix removes the problem and puts every vertex on the eye's side of the plane.
 TEST(Problems, PlaneMovesAwayFromWhatLiesInIt) {
     for (const char* equation : {"[0,1,0,0]", "[0,-3,0,0]"}) {
         const Settings settings = {std::string("plane.equation=") + equation};

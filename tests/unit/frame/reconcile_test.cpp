@@ -111,7 +111,7 @@ TEST(Reconcile, ComparesWithThePreviousFrameIfDepthIsNotCleared) {
     EXPECT_TRUE(fragments[1].tie);
     for (const Fragment& fragment : fragments) EXPECT_FALSE(fragment.decided_by_rounding) << fragment.object;
 
-    // With GL_LEQUAL, the same surface is drawn again.
+    // With GL_LEQUAL, "near" passes against its own depth of the previous frame.
     again[1].depth.func = CompareFunc::lequal;
     again[1].tie = again[1].passes = again[1].drawn = true;
     reconcile(again, read_back("near", 5'002), false);

@@ -23,8 +23,8 @@ class StepGroups : public ::testing::Test {
 protected:
     StepGroups() {
         params.visibility.raster = glm::ivec2(11, 7);
-        // Follow the pixel that is painted most often. It differs between compilers: the scene depends on the order in
-        // which a compiler evaluates the calls for random numbers.
+        // Follow the pixel that is painted most often. Its position depends on the compiler, because the order in which
+        // a compiler evaluates the calls for random numbers changes the scene.
         const auto drawn = at(VisibilityMethod::painter, -1);
         const auto& written = drawn->written_per_pixel;
         const auto most = static_cast<int>(std::max_element(written.begin(), written.end()) - written.begin());
@@ -88,7 +88,7 @@ TEST_F(StepGroups, CanBeSteppedForwardAndBackward) {
         for (std::optional<int> step = next_group(*result, 0); step; step = next_group(*result, *step))
             EXPECT_TRUE(met.insert(*step).second);
         std::set<int> with_steps = ends;
-        with_steps.erase(0);  // empty groups at the start
+        with_steps.erase(0);  // empty groups at the start end at 0, which is no step
         EXPECT_EQ(met, with_steps);
         met.clear();
         for (std::optional<int> step = previous_group(*result, -1); step; step = previous_group(*result, *step))

@@ -1,5 +1,5 @@
-// A pasted V, C or P replaces the state's own: it survives a round trip through text in every syntax, and each fault is
-// fixed.
+// A pasted V, C or P replaces the state's own: it survives a round trip through text in every syntax, and each known
+// fault is fixed.
 #include "frame/explain/take_matrix.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -59,7 +59,7 @@ TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
     std::vector<std::string> settings = {"plane.equation=[0,0,1,3]", "camera.position=[0,1,-1.5]", "camera.yaw=0",
                                          "camera.pitch=0"};
     EXPECT_TRUE(view_problems(settings).empty());
-    settings.emplace_back("projection.far=3");  // the image reaches from 3.5 to 5.5
+    settings.emplace_back("projection.far=3");  // the mirror image reaches from 3.5 to 5.5 in front of the eye
     std::vector<Problem> problems = view_problems(settings);
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_NE(say(problems[0].sentence).find("reaches to z = 5.5"), std::string::npos) << say(problems[0].sentence);
@@ -70,7 +70,8 @@ TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
     EXPECT_NE(say(problems[0].sentence).find("behind the camera"), std::string::npos) << say(problems[0].sentence);
 }
 
-/// Returns a mesh of small triangles in a cube of side 1, and one vertex at a distance along x.
+/// Returns a scene with one mesh: triangles whose corners are scattered in a cube of side 1, except one corner at
+/// x = `stray`.
 Scene mesh_scene(float stray, const glm::dvec3& scale) {
     Mesh mesh;
     for (int i = 0; i < 300; ++i) {

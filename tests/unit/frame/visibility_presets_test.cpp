@@ -155,7 +155,7 @@ TEST(VisibilityPresets, OfThePainterNameTheWrongPair) {
         const bool is_painter = params.visibility.method == VisibilityMethod::painter;
         ASSERT_EQ(answer.painter_fails.has_value(), is_painter);
         if (!is_painter) continue;
-        // Look for the reported pair in the view's own picture, which is larger than the one searched.
+        // Look for the reported pair in the view's own picture, which is larger than the picture that was searched.
         const WrongPair& wrong = *answer.painter_fails;
         HiddenRequest exact = question->camera;
         exact.visibility.method = VisibilityMethod::ray_cast;

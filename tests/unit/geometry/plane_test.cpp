@@ -170,7 +170,7 @@ TEST(Patch, AxesMatchTheContract) {
         glm::dvec4 plane;
         glm::dvec3 normal, u, v;
     };
-    // By hand: e is the last axis with the smallest |component|, u = unit(n′ × e), v = u × n′.
+    // By hand: e is the last axis with the smallest |component| of n′, u = unit(n′ × e), v = u × n′.
     const Case cases[] = {
         {{0, 1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
         {{0, -1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},

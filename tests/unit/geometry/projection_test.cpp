@@ -207,8 +207,8 @@ TEST(DepthStep, FloatsAreLimitedByTheEyeDepth) {
     const auto step = [](double z, DepthMapping mapping, DepthPrecision precision) {
         return resolvable_depth_step({.near = 0.1, .far = 100}, mapping, precision, z);
     };
-    // Between 64 and 128, floats are 2⁻¹⁷ apart, and the limit is half of that; near a window depth of 0, the stored
-    // floats are far finer.
+    // Floats between 64 and 128 are 2⁻¹⁷ apart, and a step is at least half of that at such an eye depth, although the
+    // stored floats near a window depth of 0 are far finer.
     EXPECT_DOUBLE_EQ(step(100, DepthMapping::reversed, {32, true}), std::exp2(-18));
     EXPECT_DOUBLE_EQ(step(0.1, DepthMapping::standard, {32, true}), std::exp2(-28));
     EXPECT_NEAR(step(10, DepthMapping::reversed, {32, true}), 9.304e-7, 1e-2 * 9.304e-7) << "storage is the limit";

@@ -175,8 +175,8 @@ TEST(Compare, BoxesMergeAtSixteenPixelsApartAndNotAtSeventeen) {
 TEST(Compare, ABoxThatGrowsSwallowsOneThatEndedLongBefore) {
     const Image a = plain(300, 300);
     Image b = a;
-    fill(b, 140, 20, 4, 4, 90);   // a small square that ends far above …
-    fill(b, 20, 10, 4, 250, 90);  // … the bottom bar, which joins these two
+    fill(b, 140, 20, 4, 4, 90);   // a small square inside a U, far above the bottom bar
+    fill(b, 20, 10, 4, 250, 90);  // the two sides of the U, which only the bottom bar joins
     fill(b, 260, 10, 4, 250, 90);
     fill(b, 20, 258, 244, 2, 90);
     const CompareReport report = compare_images(a, b);

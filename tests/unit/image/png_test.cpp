@@ -400,7 +400,7 @@ TEST_F(PngFiles, ANoteTooLongToReadIsNotWritten) {
     const std::vector<std::uint8_t> file =
         encode_png(random_image(1, 1, true, 9), std::string(max_document_bytes + 1, 'x'));
     EXPECT_TRUE(texts_of(file).empty());
-    // A note in several small parts that expand too much is not read either.
+    // A note in several parts, each within the limit but together beyond it, is not read either.
     const std::string none(1, '\0'), third = packed(std::string(max_document_bytes / 3 + 1, ' '));
     std::string chunks = with_chunk("zTXt", png_note_key + (" 3" + none + none) + third);
     for (const std::string part : {" 2", ""}) {

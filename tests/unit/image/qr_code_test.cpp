@@ -1,5 +1,5 @@
-// QR codes: their size, their limits and the three marks in their corners. A decoder reads one back from the stage's
-// picture in cli/lesson_test.cpp.
+// QR codes: their size, their limits and the three marks in their corners. cli/lesson_test.cpp decodes the
+// code in a picture of the stage.
 #include "image/qr_code.h"
 
 #include <gtest/gtest.h>

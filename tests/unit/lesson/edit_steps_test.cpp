@@ -49,8 +49,8 @@ StepPart part_of(const LessonSource& source, std::size_t step, Kind kind, std::s
     return {};
 }
 
-/// Writing back any part of any step of three of the program's lessons, in either language, changes nothing; under
-/// sanitizers, every tenth part.
+/// In three of the program's lessons, writing back any part of any step, except the right answer, changes nothing in
+/// either language. Under sanitizers, the test writes back only every tenth part.
 TEST(EditSteps, WritingBackEveryPartOfTheLessonsChangesNothing) {
     const std::size_t stride = is_sanitized ? 10 : 1;
     std::size_t parts = 0;

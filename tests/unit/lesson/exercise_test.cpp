@@ -292,7 +292,7 @@ TEST(Exercise, ConstantHidesAnyOtherNameOrIsRefused) {
     for (const std::string name : {"V", "camera", "answer", "pi", "identity", "dot"}) {
         const std::string picked = with(number_exercise, "\"n\": [3]", "\"n\": [3], \"" + name + "\": [12345]");
         const std::string asked = with(with(picked, "Twice {k}.", "Twice {" + name + "}."), "{camera.yaw / 7}, ",
-                                       "");  // fails if the constant hides camera
+                                       "");  // `camera.yaw` would fail if the constant hides `camera`
         const Result<LessonStep> step =
             step_of(with(with(asked, "=2 * camera.yaw", "=2 * k"), "camera.yaw == k", "true"));
         if (step)

@@ -484,7 +484,7 @@ TEST(Replay, GrowsForeverWithinItsLimit) {
 
 // ---- from one state to another --------------------------------------------------------------------------------------
 
-/// Returns these params with the view, observer, appearance and animation of the other.
+/// Returns `params` with the view, observer, appearance and animation of `other`.
 Params looked_at_as(Params params, const Params& other) {
     params.view = other.view;
     params.observer = other.observer;

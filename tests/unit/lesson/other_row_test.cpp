@@ -1,5 +1,5 @@
-// A wrong row that belongs to another plane or light. The rows are computed from the images of points, not from R's and
-// S's formulas.
+// A wrong row of R or S that would be right for another plane or light. The rows are computed from the images of
+// points, not from R's and S's formulas.
 #include "lesson/other_row.h"
 
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(OtherRow, AllRowsOfAnotherLightTellThatLight) {
             typed, {}, "shadow_matrix(unit(plane.equation), light.position)", with_plane_and_light(plane, asked));
         ASSERT_TRUE(found) << "round " << round;
         EXPECT_EQ(found->row, 1);
-        if (!found->is_light) continue;  // the first row may also belong to another plane
+        if (!found->is_light) continue;  // the first row may also be right for another plane
         ++told;
         expect_near(found->numbers, {other, 1.0});
     }
@@ -136,7 +136,7 @@ TEST(OtherRow, OneRowOfAnotherLightIsWorkedOutByHand) {
     EXPECT_FALSE(light_of_shadow_row({0, 0, 0, 0}, 1, floor_plane, light));
     EXPECT_FALSE(light_of_shadow_row({0, 4, 0, 0}, 1, floor_plane, light)) << "outside row 2's diagonal, Π is 0";
     EXPECT_FALSE(light_of_shadow_row({4, -1, 2, 0}, 0, floor_plane, light)) << "no light has this row";
-    // Two of the light's numbers could compensate for the different Π·L, so the light is undetermined.
+    // The row gives another Π·L, which two of the light's numbers could each produce, so the light is undetermined.
     EXPECT_FALSE(light_of_shadow_row({9, -1, -1, 0}, 0, {0, 1, 1, 0}, light));
 }
 

@@ -20,7 +20,7 @@ TEST(LessonSchemas, OfALectureAcceptsWhatTheReaderAccepts) {
         const Result<Lesson> read = parse_lesson(text, "a.json", "");
         return read ? "" : read.error();
     };
-    // Whether a lesson, a step of it, or a preset exists.
+    // Only the reader checks whether a lesson, a step of it, or a preset exists.
     const std::vector<std::string> only_reader{
         "neither a file nor a lesson",      "no such preset",        "has no step",
         "must be a whole number from 1 to", "must be a lesson's id", "is a lecture",
@@ -35,8 +35,8 @@ TEST(LessonSchemas, OfALessonAcceptsWhatTheReaderAccepts) {
         const Result<Lesson> read = parse_lesson(text, "a.json", "");
         return read ? "" : read.error();
     };
-    // Paths and values of settings, expressions, numbers of items and entries, and names of targets, presets, fields
-    // and exercises.
+    // Only the reader checks paths and values of settings, expressions, numbers of items and entries, and names of
+    // targets, presets, fields and exercises.
     const std::vector<std::string> only_reader{".set: ",
                                                ".model: ",
                                                ".try",
@@ -61,8 +61,8 @@ TEST(LessonSchemas, OfAnExerciseAcceptsWhatTheReaderAccepts) {
         const Result<Exercise> read = parse_exercise(text, "a.json", "");
         return read ? "" : read.error();
     };
-    // Expressions, combinations, and the constants of each stored variant. The step depends on the constants: it is
-    // read for each variant.
+    // Only the reader checks expressions, combinations, and the constants of each stored variant. The step depends
+    // on the constants, so it is read separately for each variant.
     expect_agreement(exercise_schema(), files_of("exercises"), 30, 76, complaint,
                      {"require", "combination", "deployed[", "is not a valid name"});
 }

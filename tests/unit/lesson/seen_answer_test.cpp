@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Texts of 10 pixels, in rows of 20 pixels from the top and columns of 100 pixels from the left.
+/// Returns a text in a 10-pixel font. Its baseline is at y = 20 × `row`, its left edge at x = 100 × `column`, in px.
 SeenText text_at(const std::string& text, int row, int column = 0, const std::string& place = "there") {
     const float left = 100.0F * static_cast<float>(column);
     return {text, place, left, left + 60.0F, 20.0F * static_cast<float>(row), 10.0F};

@@ -1,5 +1,5 @@
-// The assignment of variants to students. The expected numbers come from the functions' authors or from a second
-// implementation in Python: a sheet that was handed out must never change.
+// The assignment of variants to students. The expected numbers are published by the authors of FNV-1a and SplitMix64
+// or come from a second implementation in Python. A sheet that was handed out must never change.
 #include "lesson/variants.h"
 
 #include <gtest/gtest.h>

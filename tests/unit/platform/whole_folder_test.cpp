@@ -72,7 +72,7 @@ TEST_F(WholeFolders, ReplaceOnlyTheirOwnKind) {
     EXPECT_EQ(count(), 1U);
 }
 
-/// A signal handler removes unfinished folders in this way.
+/// Calls remove_unfinished_files() directly, as a signal handler does.
 TEST_F(WholeFolders, AreRemovedWithTheirContents) {
     Result<WholeFolder> folder = WholeFolder::begin(place / "new");
     ASSERT_TRUE(folder) << folder.error();

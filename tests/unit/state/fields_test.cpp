@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the lines of `params --format text` that describe the fields, without what follows each: help and formula.
+/// Returns the lines of `params --format text` that describe the fields, without the help and formula below each.
 std::vector<std::string> descriptions() {
     std::istringstream text(params_as_text());
     std::vector<std::string> lines;
@@ -125,7 +125,7 @@ TEST(Fields, AreDescribed) {
         EXPECT_GE(field.min, -1e12) << field.path;
         EXPECT_LE(field.max, 1e12) << field.path;
         EXPECT_FALSE(allowed_text(field).empty()) << field.path;
-        if (field.logarithmic && field.path != "projection.near") {  // negative only in orthographic projections
+        if (field.logarithmic && field.path != "projection.near") {  // may be negative in orthographic projections
             EXPECT_GT(field.min, 0.0) << field.path;
         }
     }

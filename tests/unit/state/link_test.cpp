@@ -55,7 +55,7 @@ TEST(Link, EveryPresetRoundTrips) {
     EXPECT_LT(link_fragment(Params{}).size(), 30U);
 }
 
-/// Under sanitizers, a hundred.
+/// Under sanitizers, the test tries only a hundred states.
 TEST(Link, AThousandRandomStatesRoundTrip) {
     testing::RandomParams random(23);
     for (int i = 0; i < (is_sanitized ? 100 : 1000); ++i) {

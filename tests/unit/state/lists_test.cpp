@@ -1,4 +1,4 @@
-// Removing lights and planes from their lists: the others keep all their data.
+// Removing lights and planes from their lists: the remaining ones keep all their data.
 #include "state/lists.h"
 
 #include <gtest/gtest.h>

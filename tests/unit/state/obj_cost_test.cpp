@@ -111,7 +111,7 @@ std::vector<glm::dvec3> stubborn(int teeth) {
     return polygon;
 }
 
-/// Writes this many OBJ faces with the same corners, which are counted back from the end.
+/// Writes the polygon's vertices and then `count` OBJ faces that refer to these vertices by negative indices.
 std::string faces(const std::vector<glm::dvec3>& polygon, int count) {
     std::ostringstream text;
     text.precision(17);

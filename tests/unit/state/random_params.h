@@ -49,7 +49,7 @@ private:
         const int kind = whole(0, 9);
         return std::clamp(kind == 0   ? range.min
                           : kind == 1 ? range.max
-                          : kind < 5  ? std::round(value) + 0.0  // a link writes −0 as 0
+                          : kind < 5  ? std::round(value) + 0.0  // turns −0 into 0, as a link does
                                       : value,
                           range.min, range.max);
     }
@@ -169,7 +169,7 @@ private:
     }
 
     std::mt19937 random_;
-    std::size_t lights_ = 1, planes_ = 1;  ///< of the state that is being made
+    std::size_t lights_ = 1, planes_ = 1;  ///< the numbers of lights and planes of the state being made
 };
 
 }  // namespace viewing::testing

@@ -38,7 +38,8 @@ TEST(StateSchemas, OfAFlightAcceptsWhatTheReaderAccepts) {
         if (read && !read->flight) return std::string("a state");  // without "kind", the file is read as a state
         return read ? "" : read.error();
     };
-    // The settings of a frame ("frames[0]: camera.yaw: …"), near < far and so on, and times in order.
+    // Only the reader checks the settings of a frame ("frames[0]: camera.yaw: …"), near < far and so on, and the
+    // order of times.
     expect_agreement(flight_schema(), {flight}, 800, 73, complaint,
                      {"]: ", "the time of the previous frame", "seconds: must be a number from"});
 }

@@ -136,7 +136,7 @@ TEST_F(SuiteSchema, AcceptsWhatTheReaderAccepts) {
     EXPECT_LT(taken, count * 4 / 5);
 }
 
-/// The program's own pictures are a suite, which has most of the members.
+/// Changes a document written here and golden/suite.json, the suite of the program's own pictures.
 TEST_F(SuiteSchema, RefusesWhatTheReaderRefusesAfterOneChange) {
     if (!has_validator()) GTEST_SKIP() << no_validator;
     const fs::path golden = fs::path(std::getenv("TEST_SOURCE_DIR")) / "golden/suite.json";
@@ -152,7 +152,7 @@ TEST_F(SuiteSchema, RefusesWhatTheReaderRefusesAfterOneChange) {
                     {"each": "mended", "name": "fixed-{}", "about": "all", "except": ["shadow-fights"]},
                     {"name": "said", "set": ["light.position=[1,0,0,1]"], "problems": {"must": ["plane"], "must_not": []}}],
         "loosened": [{"name": "own", "about": "noise", "share": 0.06}]})");
-    // Names that must exist or differ, sizes that fit, and what an entry tests.
+    // Only the reader checks that names exist or differ, that sizes fit, and that an entry tests something.
     const std::vector<std::string> only_reader{
         "there is no ", "the same file name", "tests nothing",          "cannot fail",           "twice",
         ": size: ",     "only ui.",           "must not be the folder", "must be another folder"};

@@ -9,7 +9,7 @@ namespace {
 TEST(WorstPair, IsTheOneWithMostPixelsAndItsPlace) {
     IdImage reference(20, 10), image(20, 10);
     // The reference is 1 on the left and 2 on the right. The picture shows 2 in a block where the reference is 1, and 3
-    // in fewer pixels where it is 2.
+    // in a smaller block where the reference is 2.
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 20; ++x) {
             const std::size_t at = reference.index(x, y);

@@ -234,7 +234,7 @@ TEST(Growth, CanBeCanceledBetweenRows) {
     EXPECT_LT(progress.fraction, 1.0F);
 }
 
-/// Without cancellation this would take longer than a lifetime.
+/// Without cancellation, the measurement would take longer than a lifetime.
 TEST(Growth, CanBeCanceledWithinARow) {
     GrowthRequest request = small_request();
     request.scene = GrowthScene::large_triangles;
@@ -245,7 +245,7 @@ TEST(Growth, CanBeCanceledWithinARow) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         progress.canceled = true;
     });
-    EXPECT_LE(measure_growth(request, &progress).size(), 1U);  // the painter's row
+    EXPECT_LE(measure_growth(request, &progress).size(), 1U);  // only the painter's row can be complete
     canceller.join();
 }
 

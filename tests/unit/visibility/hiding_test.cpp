@@ -149,7 +149,7 @@ TEST(HidingPairs, MatchThoseSeenByRays) {
 TEST(HidingPairs, OfParallelSquaresDependOnDepthAlone) {
     std::vector<Polygon> squares;
     for (const double z : {0.0, 2.0, 1.0}) add(squares, {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}});
-    add(squares, {{3, -1, 1.5}, {5, -1, 1.5}, {5, 1, 1.5}, {3, 1, 1.5}});  // beside the others
+    add(squares, {{3, -1, 1.5}, {5, -1, 1.5}, {5, 1, 1.5}, {3, 1, 1.5}});  // beside the other squares
     const std::vector<HidingPair> expected = {{0, 1}, {0, 2}, {2, 1}};
     EXPECT_EQ(hiding_pairs(squares, viewpoint_on_z(true)), expected);
     EXPECT_EQ(whole_order(4, expected).order, (std::vector<int>{0, 2, 1, 3}));

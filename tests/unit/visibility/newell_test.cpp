@@ -140,8 +140,8 @@ TEST(Newell, NeverComparesAReleasedPairAgain) {
             again += !let_go.emplace(step.p, step.q).second;
         }
     }
-    // The exceptions are polygons Q whose farthest corner is exactly as far as that of a polygon that P waited for,
-    // such as another piece with the same corner.
+    // P may meet Q again only if the farthest corner of Q is exactly as far as the farthest corner of a polygon that P
+    // waited for, such as another piece with the same corner.
     EXPECT_LE(again, let_go_count / 100);
     const std::vector<Polygon> large = growth_polygons({.scene = GrowthScene::large_triangles}, 60);
     const NewellOrder result = newell_order(large, viewpoint_on_z());

@@ -90,13 +90,13 @@ std::vector<glm::dvec3> card(double x, double z) {
 }
 
 TEST(PainterOrder, EveryKeyFailsOnItsOwnScene) {
-    // At x, the wall from z_left to z_right is at z_left + (x + 2) / 4 · (z_right − z_left).
+    // At x, the wall from z_left to z_right is at z = z_left + (x + 2) / 4 · (z_right − z_left).
     const std::vector<FailureScene> scenes{
         {PainterKey::nearest,
          {wall(1, -9), card(1, 0)}},  // the wall's nearest point is at 1, but at the card the wall is at −6.5
         {PainterKey::farthest,
          {wall(1, -9), card(-1, -5)}},  // the wall's farthest point is at −9, but at the card the wall is at −1.5
-        {PainterKey::centroid, {wall(1, -9), card(-1, -3.5)}}};  // its centroid is at −4, but at the card it is at −1.5
+        {PainterKey::centroid, {wall(1, -9), card(-1, -3.5)}}};  // the wall's centroid: −4; the wall at the card: −1.5
     for (const FailureScene& scene : scenes) {
         std::vector<Polygon> polygons;
         for (const auto& corners : scene.polygons) add(polygons, corners);

@@ -48,9 +48,9 @@ inline Viewpoint random_viewpoint(Random& random) {
     return viewpoint_at(distance * random.direction(), random.vec3(0.5), lens);
 }
 
-/// Returns three bars about the z axis, each over the next and under the previous one, seen from +z. They rise along
-/// their length and lean to one side, so each is behind the next one's plane, and Newell's tests find one cycle instead
-/// of three pairs that each seem to need a cut.
+/// Returns three bars about the z axis. Seen from +z, each bar is over the next one and under the previous one. The
+/// bars rise along their length and lean to one side, so that each lies in front of the next one's plane: Newell's
+/// tests find one cycle instead of three pairs that each seem to need a cut.
 inline std::vector<Polygon> cyclic_bars() {
     std::vector<Polygon> bars;
     for (int i = 0; i < 3; ++i) {
