@@ -1,6 +1,6 @@
-// Measured texts on stage: after an answer, tables of pixels and of fighting pairs and the explanation of a pixel's color
-// fit completely at every projector size; at the smallest size, they also fit before the answer. The test needs no
-// reference pictures. tests/ui/lesson_test.cpp tests the parts that need no GL.
+// Measured texts on stage: after an answer, tables of pixels and of fighting pairs and the explanation of a pixel's
+// color fit completely at every projector size; at the smallest size, they also fit before the answer. The test needs
+// no reference pictures. tests/ui/lesson_test.cpp tests the parts that need no GL.
 #include "app/resting_window.h"
 #include "gl/gl_test.h"
 #include "lesson/lesson.h"
