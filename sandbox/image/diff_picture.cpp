@@ -16,8 +16,8 @@ void blend(std::uint8_t* pixel, const std::array<std::uint8_t, 3>& tint, double 
 
 /// Writes a pixel in a faint gray, so that the marks stand out.
 void faint_gray(const std::uint8_t* from, std::uint8_t* to) {
-    const auto grey = static_cast<std::uint8_t>(24.0 + 0.6 * luma(from));
-    to[0] = to[1] = to[2] = grey;
+    const auto gray = static_cast<std::uint8_t>(24.0 + 0.6 * luma(from));
+    to[0] = to[1] = to[2] = gray;
     to[3] = 255;
 }
 

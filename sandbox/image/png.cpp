@@ -270,8 +270,8 @@ bool encode(const Writer& writer, const Image& image, const std::vector<png_text
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     // Store the note before the pixels. libpng copies its arguments.
     png_set_text(writer.png, writer.info, note.data(), static_cast<int>(note.size()));
-    if (const auto per_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254)); dpi != usual_dpi)
-        png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
+    if (const auto per_meter = static_cast<png_uint_32>(std::lround(dpi / 0.0254)); dpi != usual_dpi)
+        png_set_pHYs(writer.png, writer.info, per_meter, per_meter, PNG_RESOLUTION_METER);
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
     for (int y = 0; y < image.height; ++y) png_write_row(writer.png, image.row(y));

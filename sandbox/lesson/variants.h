@@ -13,7 +13,7 @@
 namespace viewing {
 
 /// Applies SplitMix64's finalizer: a change of any bit of the argument changes about half of the result's bits.
-std::uint64_t finalised(std::uint64_t bits);
+std::uint64_t finalized(std::uint64_t bits);
 
 /// Returns 0 … count − 1 in an order that depends only on the seed. This is a Fisher–Yates shuffle from the end, which
 /// picks each position by SplitMix64 modulo the number of remaining positions.

@@ -10,7 +10,7 @@ namespace {
 /// Returns the parts of a predicted gap; `slant` converts them from a difference in eye distance to a length along the
 /// surface's normal. The total is null if no gap is wide enough.
 Json onset_as_json(const FightingOnset& onset, double slant) {
-    return {{"quantisation", onset.quantisation * slant},
+    return {{"quantisation", onset.quantization * slant},
             {"arithmetic", onset.arithmetic * slant},
             {"predicted_onset_gap", onset.is_reachable ? Json(onset.gap() * slant) : Json()}};
 }

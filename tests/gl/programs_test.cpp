@@ -248,9 +248,8 @@ std::size_t differing_pixels(const Image& a, const Image& b) {
     return count;
 }
 
-/// The next test allows a few different pixels: since version 23, Mesa optimizes whole programs more aggressively when
+/// Allows a few different pixels: since version 23, Mesa optimizes whole programs more aggressively when
 /// it links them, which changes the rounding at edges and in depth fighting.
-
 TEST_F(SharedStages, EqualWholeProgramsInEveryPreset) {
     if (!renderer().capabilities().shared_stages) GTEST_SKIP() << "only whole programs are available here";
     gl::Capabilities capabilities = renderer().capabilities();

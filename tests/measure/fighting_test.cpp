@@ -392,7 +392,7 @@ TEST_F(Fighting, HasASmallestGapWhenACodeSpansTheEyeDistance) {
     for (const char* const format : {"depth.format=d24", "depth.format=d32f"}) {
         const MinimumGap found = search(testing::params_with({"projection.near=1e-6", format}), 21.5);
         ASSERT_TRUE(found.gap) << format << ": " << found.problem;
-        EXPECT_GT(found.predicted.quantisation, 0.1 * found.distance) << format;
+        EXPECT_GT(found.predicted.quantization, 0.1 * found.distance) << format;
         EXPECT_GT(*found.gap, found.predicted.gap() / 3.0) << format;
         EXPECT_LT(*found.gap, found.predicted.gap() * 3.0) << format;
     }

@@ -102,14 +102,14 @@ void ShowCells(const Palette& palette) {
         const bool on_wall = y < 6 && x > 0, on_triangle = y >= 2 && x >= 1 && x <= y;
         const double depth = on_triangle ? 0.3 + 0.05 * x : on_wall ? 0.82 : 1.0;
         std::snprintf(texts[i].data(), texts[i].size(), "%.2f", depth);
-        const auto grey = static_cast<ImU32>(255.0 * depth);
+        const auto gray = static_cast<ImU32>(255.0 * depth);
         const bool is_new = on_triangle && y == 6;
         colors[i] = {.color = on_triangle ? palette.light
                               : on_wall   ? palette.camera
                                           : palette.ground,
                      .accent = is_new,
                      .unwritten = !on_triangle && !on_wall};
-        depths[i] = {.color = IM_COL32(grey, grey, grey, 255),
+        depths[i] = {.color = IM_COL32(gray, gray, gray, 255),
                      .text = texts[i].data(),
                      .accent = is_new,
                      .unwritten = !on_triangle && !on_wall};

@@ -13,7 +13,7 @@ constexpr int curve_points = 240;  // enough for the sawtooth of a float's step 
 constexpr std::uint32_t code_of_one = std::bit_cast<std::uint32_t>(1.0F);
 
 struct Steps {
-    StepPoints whole, quantisation, arithmetic;
+    StepPoints whole, quantization, arithmetic;
 };
 
 Steps steps_of(const DepthCoding& coding) {
@@ -26,7 +26,7 @@ Steps steps_of(const DepthCoding& coding) {
         const FightingOnset onset = fighting_onset(coding, z);
         if (!onset.is_reachable) continue;
         steps.whole.emplace_back(z, onset.gap());
-        steps.quantisation.emplace_back(z, onset.quantisation);
+        steps.quantization.emplace_back(z, onset.quantization);
         steps.arithmetic.emplace_back(z, onset.arithmetic);
     }
     return steps;
@@ -52,7 +52,7 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived) {
     const DepthCoding now = depth_coding(params, derived);
     Steps current = steps_of(now);
     PrecisionCurves curves{{params.depth.format, params.depth.mapping, std::move(current.whole)},
-                           std::move(current.quantisation),
+                           std::move(current.quantization),
                            std::move(current.arithmetic),
                            {}};
     for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {

@@ -23,7 +23,7 @@ struct StepCurve {
 
 struct PrecisionCurves {
     StepCurve current;                    ///< the state's own: the sum of the next two
-    StepPoints quantisation, arithmetic;  ///< fighting_onset()'s terms
+    StepPoints quantization, arithmetic;  ///< fighting_onset()'s terms
     std::vector<StepCurve> others;        ///< 16 bit, 24 bit and float32 with each mapping, except the current one
 };
 

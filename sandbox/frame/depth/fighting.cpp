@@ -229,8 +229,8 @@ FightingOnset fighting_onset(const DepthCoding& coding, double distance, double 
     };
     const double end = depth + towards_eye * (code + rounding);
     FightingOnset onset;
-    onset.quantisation = way_of(code);
-    onset.arithmetic = way_of(code + rounding) - onset.quantisation;
+    onset.quantization = way_of(code);
+    onset.arithmetic = way_of(code + rounding) - onset.quantization;
     onset.is_reachable = end >= 0.0 && end <= 1.0;
     return onset;
 }

@@ -51,11 +51,11 @@ double depth_rounding(const DepthCoding& coding, double distance, double span = 
 /// The smallest gap at which depth distinguishes two surfaces, wherever their depths fall within a code. With a smaller
 /// gap, they may fight. The gap is measured in eye distance, from a surface toward the eye.
 struct FightingOnset {
-    double quantisation = 0.0;  ///< one whole code, but at most the distance to the near plane
+    double quantization = 0.0;  ///< one whole code, but at most the distance to the near plane
     double arithmetic = 0.0;    ///< added by the float32 arithmetic before depth is stored
     bool is_reachable = true;   ///< false: even a surface on the near plane may have the same code
 
-    double gap() const { return quantisation + arithmetic; }
+    double gap() const { return quantization + arithmetic; }
 };
 
 /// Returns the onset at an eye distance, clamped to near … far. `span` has the same meaning as in depth_rounding().

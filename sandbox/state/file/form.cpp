@@ -23,8 +23,12 @@ Json object_of(Json properties) {
 Json list_of(Json items, std::size_t most, std::size_t least) {
     Json list = {{"type", "array"}, {"maxItems", most}};
     if (least > 0) list["minItems"] = least;
-    const bool are_alike = !items.is_array() || items.size() == 1;
-    list[are_alike ? "items" : "prefixItems"] = items.is_array() && are_alike ? items[0] : std::move(items);
+    if (!items.is_array()) {
+        list["items"] = std::move(items);
+        return list;
+    }
+    if (most > items.size() || items.size() == 1) list["items"] = items.back();  // of those after the first ones
+    if (items.size() > 1) list["prefixItems"] = std::move(items);
     return list;
 }
 

@@ -22,9 +22,9 @@ ImU32 opaque(const Color& color) {
 }
 
 /// Maps the depth range of the block to grays: dark is near, light is far. It uses neither black nor white.
-class Greys {
+class Grays {
 public:
-    Greys(const CellBlock& block, const FramePlan& plan) : is_reversed_(plan.depth_mapping == DepthMapping::reversed) {
+    Grays(const CellBlock& block, const FramePlan& plan) : is_reversed_(plan.depth_mapping == DepthMapping::reversed) {
         for (const BufferCell& cell : block.cells) {
             if (cell.window_depth == plan.clear_depth_value) continue;
             least_ = std::min(least_, cell.window_depth);
@@ -34,8 +34,8 @@ public:
     ImU32 of(double window_depth) const {
         const double share = greatest_ > least_ ? (window_depth - least_) / (greatest_ - least_) : 0.5;
         const double far_share = std::clamp(is_reversed_ ? 1.0 - share : share, 0.0, 1.0);
-        const auto grey = static_cast<ImU32>(std::lround(45.0 + 175.0 * far_share));
-        return IM_COL32(grey, grey, grey, 255);
+        const auto gray = static_cast<ImU32>(std::lround(45.0 + 175.0 * far_share));
+        return IM_COL32(gray, gray, gray, 255);
     }
 
 private:
@@ -63,7 +63,7 @@ CellPicture picture_of(const DepthData& data, const FramePlan& plan, bool is_ste
     const CellBlock& now = data.now;
     const DepthPrecision precision = precision_of(plan.depth_format);
     CellPicture picture{cell_texts(now, precision, plan.clear_depth_value, room_of(now, grid)), {}, {}};
-    const Greys greys(now, plan);
+    const Grays grays(now, plan);
     const bool compares = is_step && data.before.size == now.size && data.before.cells.size() == now.cells.size();
     for (std::size_t i = 0; i < now.cells.size(); ++i) {
         const BufferCell& cell = now.cells[i];
@@ -72,7 +72,7 @@ CellPicture picture_of(const DepthData& data, const FramePlan& plan, bool is_ste
         picture.colors.push_back({.color = opaque(cell.color),
                                   .accent = cell.color != before.color,
                                   .unwritten = is_cleared && cell.color == plan.background});
-        picture.depths.push_back({.color = is_cleared ? opaque(plan.unwritten) : greys.of(cell.window_depth),
+        picture.depths.push_back({.color = is_cleared ? opaque(plan.unwritten) : grays.of(cell.window_depth),
                                   .text = picture.texts.texts[i],
                                   .accent = cell.stored != before.stored,
                                   .unwritten = is_cleared});

@@ -79,7 +79,7 @@ public:
     std::vector<widgets::ChartCurve> terms() const {
         std::vector<widgets::ChartCurve> terms;
         if (!widgets::IsCovered("chart:precision.quantization"))
-            terms.push_back({.name = marked("quantization"), .color = palette().text, .points = curves_.quantisation});
+            terms.push_back({.name = marked("quantization"), .color = palette().text, .points = curves_.quantization});
         if (!widgets::IsCovered("chart:precision.arithmetic"))
             terms.push_back({.name = marked("arithmetic"), .color = palette().quiet, .points = curves_.arithmetic});
         return terms;

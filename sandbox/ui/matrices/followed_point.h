@@ -22,7 +22,7 @@ bool is_matrix(std::string_view name);
 
 /// Returns the transformations to show beside these matrices: the camera's if V or P is listed, but neither S nor R;
 /// otherwise the plane's. If only shadows or only mirrors are drawn, omits the plane's other transformation.
-PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow = true, bool has_mirror = true);
+PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow, bool has_mirror);
 
 /// Returns the number of lines, without the heading.
 int lines_of(PointNumbers numbers);

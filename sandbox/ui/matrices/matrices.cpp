@@ -373,7 +373,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         // Show all numbers of the point if they fit in the column.
         const float used = ImGui::GetCursorPosY() + (side_by_side ? top : 0.0F);
         const bool has_room = used + followed_point_height(session, PointNumbers::both) <= height;
-        draw_followed_point(session, derived, has_room ? PointNumbers::both : point_numbers(about));
+        draw_followed_point(session, derived, has_room ? PointNumbers::both : numbers_in(about, session));
     });
     if (!side_by_side) show_display({session, derived, before, true, choice.pastes});
 }

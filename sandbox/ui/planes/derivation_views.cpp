@@ -165,7 +165,7 @@ struct Derivation {
 /// without the counted lines that are not reached.
 struct WrittenLines {
     const Lines& all;
-    std::size_t counted, written, behind;  ///< the first counted line; the ends of the written and the counted lines
+    std::size_t written, behind;  ///< the ends of the written and of the counted lines
 
     void write(std::size_t begin, std::size_t end, const DerivationFlow& flow) const {
         ImGui::SetWindowFontScale(flow.font_scale);
@@ -200,7 +200,7 @@ void draw_derivation(const Derivation& shown, int step, const Rect& rect) {
     all.insert(all.end(), shown.lines.begin(), shown.lines.end());
     all.insert(all.end(), shown.after.begin(), shown.after.end());
     const std::size_t before = shown.before.size(), reached = lines_until(shown.lines, step).size();
-    const WrittenLines lines{all, before, before + reached, before + shown.lines.size()};
+    const WrittenLines lines{all, before + reached, before + shown.lines.size()};
     const DerivationFlow flow =
         flow_of(has_cover ? Lines{} : all, ImGui::GetContentRegionAvail(), shown.control_rows, step < 0);
 

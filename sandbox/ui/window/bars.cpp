@@ -107,7 +107,7 @@ static std::string state_link(const Session& session) {
 
 void copy_link(const Guide& guide, Session& session, const std::string& address) {
     const std::string step = step_link(guide, session);
-    if (!step.empty() && !guide.run()->is_revealed()) {
+    if (!step.empty() && (!guide.run()->is_revealed() || guide.run()->step().only_shows())) {
         ImGui::SetClipboardText((address + step).c_str());
         session.message = {tr("a link to this step of the lesson is on the clipboard"), false};
         return;

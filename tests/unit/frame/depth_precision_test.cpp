@@ -34,7 +34,7 @@ TEST(PrecisionCurves, MatchWorkedSteps) {
         params.projection.near = near;
         params.projection.far = far;
         const PrecisionCurves curves = curves_of(params);
-        EXPECT_NEAR(value_at(curves.quantisation, z), step, 0.02 * step);
+        EXPECT_NEAR(value_at(curves.quantization, z), step, 0.02 * step);
         EXPECT_NEAR(value_at(curves.current.points, z), step, 0.05 * step) << "arithmetic adds little to 16 bits";
     }
 }
@@ -48,11 +48,11 @@ TEST(PrecisionCurves, AddUpAndStayBetweenNearAndFar) {
             const PrecisionCurves curves = curves_of(params);
             const StepPoints& whole = curves.current.points;
             ASSERT_GT(whole.size(), 100U);
-            ASSERT_EQ(whole.size(), curves.quantisation.size());
+            ASSERT_EQ(whole.size(), curves.quantization.size());
             ASSERT_EQ(whole.size(), curves.arithmetic.size());
             for (std::size_t i = 0; i < whole.size(); ++i) {
                 EXPECT_GT(whole[i].y, 0.0);
-                EXPECT_EQ(whole[i].y, curves.quantisation[i].y + curves.arithmetic[i].y);
+                EXPECT_EQ(whole[i].y, curves.quantization[i].y + curves.arithmetic[i].y);
             }
             EXPECT_GE(whole.front().x, params.projection.near);
             EXPECT_NEAR(whole.back().x, params.projection.far, 1e-9);
@@ -65,7 +65,7 @@ TEST(PrecisionCurves, AddUpAndStayBetweenNearAndFar) {
 TEST(PrecisionCurves, FloatArithmeticLimitsReversedDepthFarAway) {
     const PrecisionCurves curves = curves_of(
         params_with({"depth.format=d32f", "depth.mapping=reversed", "projection.near=0.1", "projection.far=100"}));
-    EXPECT_GT(curves.arithmetic.back().y, 100.0 * curves.quantisation.back().y);
+    EXPECT_GT(curves.arithmetic.back().y, 100.0 * curves.quantization.back().y);
 }
 
 TEST(DepthCodes, AreAllListedForFewBits) {

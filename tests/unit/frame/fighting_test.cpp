@@ -104,7 +104,7 @@ TEST(FightingOnset, IsAboutAStepForWideCodes) {
     for (const auto& [near, far, z, step] : rows) {
         const DepthCoding coding{{.near = near, .far = far}, DepthMapping::standard, {16, false}, false};
         const FightingOnset onset = fighting_onset(coding, z);
-        EXPECT_NEAR(onset.quantisation, step, step * 0.02);
+        EXPECT_NEAR(onset.quantization, step, step * 0.02);
         EXPECT_GT(onset.arithmetic, 0.0);
         EXPECT_LT(onset.arithmetic, 0.03 * step);
         EXPECT_TRUE(onset.is_reachable);
@@ -116,7 +116,7 @@ TEST(FightingOnset, IsArithmeticAtTheFarEndOfReversedFloats) {
     for (const double near : {1.0, 0.1, 0.001}) {
         const DepthCoding coding{{.near = near, .far = 100.0}, DepthMapping::reversed, {32, true}, true};
         const FightingOnset onset = fighting_onset(coding, 99.99);
-        EXPECT_LT(onset.quantisation, 1e-8);
+        EXPECT_LT(onset.quantization, 1e-8);
         EXPECT_GT(onset.arithmetic, 3e-6);
         EXPECT_LT(onset.arithmetic, 3e-5);
     }
@@ -134,11 +134,11 @@ TEST(FightingOnset, IsExactlyOneCodeTowardTheEye) {
         const DepthMapping mapping = trial % 2 == 0 ? DepthMapping::standard : DepthMapping::reversed;
         const FightingOnset onset = fighting_onset({{.near = n, .far = f}, mapping, {bits, false}, true}, z);
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
-        EXPECT_GE(z - onset.quantisation, n * (1.0 - 1e-9));
+        EXPECT_GE(z - onset.quantization, n * (1.0 - 1e-9));
         if (!onset.is_reachable) {
             EXPECT_LT((depth(z) - depth(n)) * levels, 1.0 + 1e-3);
         } else {
-            EXPECT_NEAR((depth(z) - depth(z - onset.quantisation)) * levels, 1.0, 1e-5);
+            EXPECT_NEAR((depth(z) - depth(z - onset.quantization)) * levels, 1.0, 1e-5);
         }
     }
 }

@@ -25,10 +25,10 @@ TEST(Variants, Fnv1aMatchesThePublishedValues) {
 }
 
 TEST(Variants, FinalizerMatchesSplitMix64) {
-    EXPECT_EQ(finalised(1234567 + golden_gamma), 6457827717110365317U);
-    EXPECT_EQ(finalised(1234567 + 2 * golden_gamma), 3203168211198807973U);
-    EXPECT_EQ(finalised(1234567 + 3 * golden_gamma), 9817491932198370423U);
-    EXPECT_EQ(finalised(0), 0U);
+    EXPECT_EQ(finalized(1234567 + golden_gamma), 6457827717110365317U);
+    EXPECT_EQ(finalized(1234567 + 2 * golden_gamma), 3203168211198807973U);
+    EXPECT_EQ(finalized(1234567 + 3 * golden_gamma), 9817491932198370423U);
+    EXPECT_EQ(finalized(0), 0U);
 }
 
 TEST(Variants, ShuffleLosesNothing) {
