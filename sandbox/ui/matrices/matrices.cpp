@@ -310,7 +310,7 @@ std::size_t symbolic_matrices(std::span<const std::string> listed, float room, c
 
 /// Returns the scale factor at which the listed matrices fill the column.
 float growth_of(std::span<const std::string> listed, std::size_t symbolic, float room, const Session& session) {
-    constexpr float largest = 2.0F;
+    constexpr float largest = 2.4F;
     const float usual = height_of(listed, symbolic, session),
                 added = height_of(listed, symbolic, session, 2.0F) - usual;
     return added > 0.0F ? std::clamp(1.0F + (room - usual) / added, 1.0F, largest) : 1.0F;
