@@ -211,8 +211,8 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
 /// shadow beyond its patch is still drawn where it is nearer than the depths of the previous frame. A mirror that is
-/// drawn last is not tested, so it shows a wrong P and an S filled by rows. Where depth is cleared for the mirror's
-/// image, nearer fragments pass.
+/// drawn last is not tested, so it shows a wrong P and an S filled by rows. Such a mirror clears depth for its
+/// image, so nearer fragments of the image pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     const DepthParams& depth = params.depth;
     const ReflectionParams& reflection = params.reflection;
