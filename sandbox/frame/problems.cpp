@@ -132,11 +132,12 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
 void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect) {
     const double middle = window.center().x, half = 0.5 * window.height() * view_aspect;
     tell(std::abs(view_aspect / window.aspect() - 1.0) > 1e-3,
-         sentence("projection.window_stretched",
-                  "the window is {aspect} times as wide as it is high and fills a view with the aspect ratio {view}: "
-                  "everything is stretched to {stretch} times its width",
-                  "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
-                  "stretch"_a = figures(view_aspect / window.aspect(), 3)),
+         sentence(
+             "projection.window_stretched",
+             "the projection window is {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
+             "everything is stretched to {stretch} times its width",
+             "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
+             "stretch"_a = figures(view_aspect / window.aspect(), 3)),
          "projection={\"left\": " + plain_number(middle - half) + ", \"right\": " + plain_number(middle + half) + "}");
 }
 
