@@ -124,7 +124,7 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
 /// Returns the maximum width of a tooltip's lines: they fit beside the column, unless they would then be too short to
 /// read comfortably.
 float TooltipTextWidth();
-/// Opens the tooltip window in its usual style; call EndTooltipWindow afterward, with the text to record in `told`.
+/// Opens the tooltip window in its usual style; call EndTooltipWindow afterward. `told`: the text to record.
 void BeginTooltipWindow();
 void EndTooltipWindow(std::string_view told = {});
 

@@ -312,7 +312,8 @@ bool TextField(const char* label, std::string& text, const char* hint = "", ImGu
 /// Draws a field for text that counts only when complete: `value` changes only in the frame in which the user leaves
 /// the field with a different text (by Enter, Tab, a click elsewhere or EndTyping). Escape restores the old text.
 bool EntryField(const char* label, std::string& value);
-/// Draws an EntryField for a paragraph: over the whole width and as high as the wrapped text. Enter ends typing.
+/// Draws an EntryField for a paragraph, as wide as the available space and as high as the wrapped text. Enter ends
+/// typing.
 bool ParagraphField(const char* label, std::string& value);
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< width on one line, in pixels

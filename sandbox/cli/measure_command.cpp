@@ -63,7 +63,7 @@ void refuse_strangers(const Options& options, const TypedMeasure& typed) {
                        " draws nothing with GL");
 }
 
-/// Returns the usual counts below `max`, followed by `max` itself.
+/// Returns the default numbers of polygons below `max`, followed by `max` itself.
 std::vector<int> counts_up_to(int max) {
     std::vector<int> counts = GrowthRequest{}.counts;
     std::erase_if(counts, [max](int count) { return count >= max; });

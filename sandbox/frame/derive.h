@@ -121,8 +121,8 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
 /// Returns the precision of a depth format.
 DepthPrecision precision_of(DepthFormat format);
 
-/// Returns whether GL lacks the format. The sandbox's shader then rounds depths to the format's codes, which 24 bits
-/// store without loss.
+/// Returns whether GL lacks the format. If so, the sandbox's shader rounds depths to the format's codes, which a 24-bit
+/// buffer stores without loss.
 bool stores_fewer_bits(DepthFormat format);
 
 /// Returns whether the shader writes depths. It then also applies the offset, one code per unit, instead of

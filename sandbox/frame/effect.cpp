@@ -58,9 +58,9 @@ struct Reason {
 const Reason& reason_of(Idle idle) {
     static const Reason all[] = {
         {Idle::p_by_hand, [](const State& s) { return s.params.camera_overrides.clip_from_view.has_value(); },
-         marked("P is entered by hand: Release beside its name computes it from the projection again.")},
+         marked("P is entered by hand: press Release beside its name to compute it from the projection again.")},
         {Idle::v_by_hand, [](const State& s) { return s.params.camera_overrides.view_from_world.has_value(); },
-         marked("V is entered by hand: Release beside its name computes it from the camera again.")},
+         marked("V is entered by hand: press Release beside its name to compute it from the camera again.")},
         {Idle::orthographic, [](const State& s) { return s.params.projection.is_orthographic(); },
          marked("An orthographic view is defined by a height, not an angle.")},
         {Idle::not_orthographic, [](const State& s) { return !s.params.projection.is_orthographic(); },
@@ -84,7 +84,7 @@ const Reason& reason_of(Idle idle) {
         {Idle::no_depth_clear, [](const State& s) { return !s.params.depth.clear; },
          marked("Depth is not cleared at all.")},
         {Idle::no_decals, [](const State& s) { return !s.has_decals(); },
-         marked("This scene has no decals: open coplanar or decals.")},
+         marked("This scene has no decals: open the scene coplanar or the scene decals.")},
         {Idle::no_decal_offset, [](const State& s) { return s.params.depth.decals != DecalMethod::offset; },
          marked("Decals are not separated by an offset.")},
         {Idle::no_pairs, [](const State& s) { return !s.has_pairs(); },

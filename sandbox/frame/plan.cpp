@@ -299,7 +299,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
-    plain.reflection.same_projection = true;  // only the camera's view shows another projection or fovy in mirrors
+    plain.reflection.same_projection = true;  // in mirrors, only the camera's view uses another projection or fovy
     plain.reflection.fovy = 0.0;
     FramePlan made = frame_plan(params, derived);
     if (params.observer.image_space) plain.reflection.stencil = false;  // show the whole image

@@ -132,11 +132,12 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
 void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect) {
     const double middle = window.center().x, half = 0.5 * window.height() * view_aspect;
     tell(std::abs(view_aspect / window.aspect() - 1.0) > 1e-3,
-         sentence("projection.window_stretched",
-                  "the window is {aspect} times as wide as it is high and fills a view with the aspect ratio {view}: "
-                  "everything is stretched to {stretch} times its width",
-                  "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
-                  "stretch"_a = figures(view_aspect / window.aspect(), 3)),
+         sentence(
+             "projection.window_stretched",
+             "the projection window is {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
+             "everything is stretched to {stretch} times its width",
+             "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
+             "stretch"_a = figures(view_aspect / window.aspect(), 3)),
          "projection={\"left\": " + plain_number(middle - half) + ", \"right\": " + plain_number(middle + half) + "}");
 }
 
@@ -211,8 +212,8 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
 /// shadow beyond its patch is still drawn where it is nearer than the depths of the previous frame. A mirror that is
-/// drawn last is not tested, so it shows a wrong P and an S filled by rows. Where depth is cleared for the mirror's
-/// image, nearer fragments pass.
+/// drawn last is not tested, so it shows a wrong P and an S filled by rows. Such a mirror clears depth for its
+/// image, so nearer fragments of the image pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     const DepthParams& depth = params.depth;
     const ReflectionParams& reflection = params.reflection;

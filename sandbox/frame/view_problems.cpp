@@ -77,8 +77,8 @@ double size_of_most(const Mesh& mesh) {
     return longest;
 }
 
-/// Returns the size of a mesh divided by that of the box of most of its vertices, if that box is a dot in the picture;
-/// otherwise 0.
+/// If the box that holds most of a mesh's vertices is only a dot in the picture, returns how many times as large the
+/// whole mesh is; otherwise 0.
 double times_of_most(const SceneObject& object, const Params& params, const Derived& derived) {
     constexpr std::size_t most_vertices = 200'000;
     constexpr double dot = 1.0 / 100.0, apart = 100.0;

@@ -56,8 +56,8 @@ Result<Exercise> parse_exercise(std::string_view json, const std::string& source
 /// The maximum number of an exercise's variants that students get. These variants are its first combinations.
 inline constexpr std::size_t most_deployed = 16;
 
-/// Returns all combinations of values that pass `require`, in shuffled order; the first ones are for deployment. Fails
-/// if an expression fails, or if there are too many combinations or none.
+/// Returns all combinations of values that pass `require`, in shuffled order. Students get the first
+/// most_deployed of them. Fails if an expression fails, or if there are too many combinations or none.
 Result<std::vector<std::string>> combinations(std::string_view json, const std::string& source);
 
 /// A function that returns the values of names in a state. The returned value keeps alive everything that it refers to.

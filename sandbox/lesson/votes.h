@@ -16,8 +16,8 @@ using VoteCounts = std::vector<int>;
 
 enum class VoteRound { before_discussion, after_discussion };
 
-/// Reads typed counts, in either order: "A 80", "80 a", "a80 b60 c40". The error says in one sentence what does not fit
-/// these `choices`.
+/// Reads typed counts, in either order: "A 80", "80 a", "a80 b60 c40". The error says in one sentence which part of
+/// the text is wrong. `choices`: the number of choices.
 Result<VoteCounts> typed_votes(std::string_view text, std::size_t choices);
 
 int total_votes(const VoteCounts& votes);

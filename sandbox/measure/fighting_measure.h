@@ -36,10 +36,12 @@ glm::ivec2 spread_size(glm::ivec2 size_px);
 /// Adds the counts for one of the trembling() cameras to the spreads of the rows.
 void take_spread(FightingReport& report, const FightingCounts& counts);
 
-/// Counts with each of the report's cures. The error is that of count_fighting().
+/// Calls count_fighting() with each of the report's cures applied, and puts the counts into the report. The error is
+/// that of count_fighting().
 Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress = nullptr);
 
-/// Counts from all jittered cameras. The error is that of count_fighting().
+/// Calls count_fighting() for each of the trembling() cameras, and take_spread() with the counts. The error is that of
+/// count_fighting().
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress = nullptr);
 

@@ -71,8 +71,8 @@ struct MinimumGapSearch::Implementation {
         found.predicted = fighting_onset(coding, found.distance, 2.0 * half_side(lens, found.distance) * sine);
         gap = std::min(found.predicted.gap(), room);
         // Rounding varies with the position, so try several, many units in the last place apart. If codes are as narrow
-        // as float32's steps, the positions are also at different points within a code; if codes are wide, the pair
-        // stays within its code.
+        // as float32's steps, the positions are also at different points within a code; if codes are wide, the shifts
+        // are smaller than a code.
         const double code = found.predicted.quantization;  // 0 where a float's steps are finer than a double's
         const bool is_fine = coding.precision.is_float || coding.precision.bits >= 24;
         const bool is_narrow = is_fine && code > 0.0 && code < widest_narrow_code * found.distance;

@@ -323,7 +323,7 @@ Status Renderer::draw_identities(const FramePlan& plan, const Scene& scene, glm:
     plain.samples = 0;
     plain.shows = Shows::color;
     for (Pass& pass : plain.passes) {
-        if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows have no identity
+        if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows have no object ID
         pass.blend = Blend::none;
     }
     return implementation_->draw_frame(plain, scene, size_px, view, Shading::identity);

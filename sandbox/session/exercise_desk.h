@@ -51,7 +51,7 @@ public:
     /// Continues with a file of saved answers, merged with those stored for the same student; update() reports the
     /// outcome.
     void open_hand_in(const std::filesystem::path& file);
-    /// Opens the sheet of a hand-in's student, with the attempts of the hand-in.
+    /// Opens the sheet of the student named in a hand-in, with the attempts that the hand-in contains.
     void take_hand_in(HandIn hand_in);
 
     /// Called once a frame: applies finished reads, and writes changes in the background. Returns the error of a read
@@ -101,7 +101,7 @@ private:
     void add(HandInItem& item, Attempt attempt);
     HandInItem& item(const std::string& exercise, std::size_t variant);
     const HandInItem* own_item(const std::string& exercise) const;  ///< null if its variant is another student's
-    /// Returns this student's practice on exercises that have the same numbers in the student's own sheet.
+    /// Returns the attempted items of the practice sheet whose variant is also the one in the student's own sheet.
     HandIn practice_with_own_numbers() const;
     void choose_variants();
     std::filesystem::path file(const Student& owner) const;

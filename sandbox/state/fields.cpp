@@ -706,9 +706,9 @@ const Field all_fields[] = {
      .step = 0.5,
      .least_above_zero = 1,
      .idle = {no_field_of_view, no_reflection, no_mirror},
-     .help = "The vertical field of view for the picture in a mirror, for example because the mirrored camera has its "
-             "own projection; 0 uses the camera's. With any other value, the mirror image is too small or too large "
-             "for its mirror.",
+     .help = "The vertical field of view of the picture in a mirror, as if the mirrored camera had a projection of its "
+             "own; 0 uses the camera's. With any other value, the mirror image is too small or too large for its "
+             "mirror.",
      .formula = "P′ V R"},
     {.path = "reflection.printed_by_rows",
      .place = IN(reflection.printed_by_rows),

@@ -1,6 +1,7 @@
 // Declares each kind of field once: its name; its form, which reads a value, says what is allowed, and makes the
-// schema; how a value is written; and how a value is clamped and blended. What needs a window or a random generator
-// lives above the state, in one overload set each: ui/parts/controls.cpp and the tests' random_params.h.
+// schema; how a value is written; and how a value is clamped and blended. Code that needs a window or a
+// random generator is elsewhere, with an overload for each type: ui/parts/controls.cpp draws the controls, and the
+// tests' random_params.h makes random values.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -21,7 +21,7 @@ struct HidingPair {
     auto operator<=>(const HidingPair&) const = default;
 };
 
-/// Returns, sorted, all pairs in which one polygon hides a part of the other in this view. Clips polygons at the near
+/// Returns all pairs in which one polygon hides a part of the other in this view, sorted. Clips polygons at the near
 /// plane. Two polygons that intersect appear in both orders; of coplanar polygons, the one with the lowest source
 /// counts as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it is
 /// suitable for thousands of polygons at most. Stops soon after finding more than `most` pairs; the result is then

@@ -27,7 +27,7 @@ struct RasterOptions {
     std::optional<glm::ivec2> watched{};  ///< fill RasterResult::touches for this pixel
 };
 
-/// One fragment: a polygon's point in a pixel, compared with the pixel's contents.
+/// One fragment: the point of a polygon at a pixel's center, compared with the pixel's contents.
 struct RasterStep {
     int x = -1, y = -1;
     int polygon = -1;  ///< index into the given polygons

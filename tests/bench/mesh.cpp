@@ -46,7 +46,7 @@ double megabytes(const std::vector<T>& values) {
     return static_cast<double>(values.size() * sizeof(T)) / (1024.0 * 1024.0);
 }
 
-/// Returns the megabytes of the arrays that were read; 0 if the file cannot be read.
+/// Returns the size of the arrays that were read, in MB; 0 if the file cannot be read.
 double load(const std::string& path, bool ours) {
     if (ours) {
         const Result<ObjMesh> read = load_obj(path);

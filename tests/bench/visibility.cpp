@@ -120,12 +120,12 @@ const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0)
 
 // ---- the z-buffer in llvmpipe ------------------------------------------------------------------------
 
-/// Draws the polygons' triangles with GL's depth test. The shaders transform the triangles and write their numbers.
-/// Uploads the triangles once, so only drawing is measured.
+/// Draws the polygons' triangles with GL's depth test. The shaders transform the triangles and write the numbers of
+/// their polygons as colors. Uploads the triangles once, so only drawing is measured.
 void gl_z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     Result<gl::EglContext> context = gl::EglContext::make();
     if (!context) return state.SkipWithError(context.error().c_str());
-    std::vector<glm::vec4> corners;  // a corner's position and its triangle's number
+    std::vector<glm::vec4> corners;  // a corner's position and its polygon's number
     for (const Polygon& polygon : polygons)
         for (std::size_t k = 1; k + 1 < polygon.vertices.size(); ++k)
             for (const std::size_t corner : {std::size_t{0}, k, k + 1})

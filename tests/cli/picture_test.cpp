@@ -544,7 +544,7 @@ TEST_F(Doctor, ReportsADriverThatOffersNoSuitableContext) {
 }
 
 TEST_F(Doctor, ReportsTheContextOfPictures) {
-    // Removes the settings that make tests fast, since they would make both contexts equal.
+    // Removes the settings that make tests fast, so that each command has to choose its own.
     const Surroundings bare{.without = {"LP_NATIVE_VECTOR_WIDTH", "GALLIVM_PERF"}};
     const Json report =
         expect(0, {"snapshot", "--view", "camera", "--size", "32x32", "-o", "x.png", "--json", "-"}, bare).json();

@@ -18,7 +18,7 @@
 namespace viewing {
 namespace {
 
-/// A change that is a choice and not a mistake: a field or one of its values, with the reason.
+/// A field (PATH), or one of its values (PATH=VALUE), that is a choice and cannot be a mistake; with the reason.
 struct Choice {
     std::string_view setting, reason;
 };
@@ -42,7 +42,7 @@ constexpr Choice choices[] = {
     {"depth.decals", "three ways to draw decals"},
 };
 
-/// Fits the edges of the projection's window to its other settings. Otherwise, one object may fill the picture.
+/// Fits the edges of the projection's window to its other settings, to keep one object from filling the picture.
 void fit_window(ProjectionParams& projection) {
     const bool is_parallel = projection.type == ProjectionType::orthographic_window;
     const double top =

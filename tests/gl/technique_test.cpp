@@ -67,7 +67,7 @@ TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithoutIt) {
     for (int channel = 0; channel < 3; ++channel) {
         EXPECT_GT(lit[channel], 40);
         EXPECT_NEAR(once[channel], lit[channel] * 0.5, 1.5);
-        EXPECT_NEAR(twice[channel], lit[channel] * 0.25, 1.5);  // lit and unlit faces cast a layer each
+        EXPECT_NEAR(twice[channel], lit[channel] * 0.25, 1.5);  // lit and unlit faces each darken by half
     }
     EXPECT_EQ(color_at(plain({"shadow.enabled=false"}), box_scene(), in_light),
               color_at(plain({}), box_scene(), in_light));

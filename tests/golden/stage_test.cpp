@@ -11,7 +11,7 @@ namespace {
 
 class StageTablesTest : public testing::GlTest, public ::testing::WithParamInterface<glm::ivec2> {
 protected:
-    /// Returns a step's stage at rest, at the parameter's size; null after a failure.
+    /// Returns the window with a step on stage, at rest, in the size of the test's parameter; null after a failure.
     static std::unique_ptr<RestingWindow> stage_of(const Lesson& lesson, std::size_t step, bool is_revealed) {
         const LoadedState& start = lesson.steps[step].start;
         const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);

@@ -147,7 +147,7 @@ TEST_P(Hovering, OneReadIsPendingAndTheNewestPlaceWins) {
     EXPECT_EQ(copies, 8) << "only the first and the last place are read";
 }
 
-/// Lower views that describe the pixel keep showing this picture's earlier report until the next one arrives.
+/// Lower views that describe the pixel keep showing the previous report on the same picture until the next one arrives.
 TEST_P(Hovering, LowerViewsDoNotWaitEither) {
     const auto tell = [this](glm::ivec2 pixel) {
         const Derived derived = derive(params, scene, Viewport{hovered_px});

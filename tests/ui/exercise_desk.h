@@ -16,7 +16,7 @@ public:
         workbench.exercises.open();
         make();
     }
-    /// Makes every variant; variants that need measurements remain errors.
+    /// Makes the step of every exercise; an exercise that needs measurements gets an error instead.
     void make() {
         static std::map<std::pair<std::string, std::size_t>, Result<LessonStep>> made;  // the same for every desk
         ExerciseDesk& desk = workbench.exercises;

@@ -70,7 +70,7 @@ std::set<std::string> english_words(const std::vector<Letter>& letters) {
     return words;
 }
 
-/// Returns the visible parts of texts that begin but do not end, except those that scroll out at the bottom.
+/// Returns the visible parts of texts whose ends are not visible, except those that scroll out at the bottom.
 std::vector<std::string> cut_texts(const std::vector<Letter>& letters, bool scrolls) {
     struct Text {
         std::string shown;

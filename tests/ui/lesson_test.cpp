@@ -165,9 +165,9 @@ std::vector<std::string> switches(const Desk& desk) {
     return found;
 }
 
-/// Returns whether everything that a step shows is visible. Lists that the lecturer goes through line by line may
-/// scroll as long as the current line is in view: GL calls, lines of a derivation or of code, an order of polygons with
-/// its tests.
+/// Returns whether everything that a step shows is visible. Lists that the lecturer goes through line by line (GL
+/// calls, lines of a derivation or of code, an order of polygons with the tests that found it) may scroll as long as
+/// the current line is in view.
 bool is_all_seen(const Desk& desk) {
     const auto is_list = [&](Topic topic) { return is_shown(desk.session.params, topic); };
     const bool has_list = std::ranges::any_of(std::array{Topic::passes, Topic::lecture_code, Topic::shadow_derivation,
@@ -201,7 +201,7 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
                 "all of matrix " + matrix);
     }
     for (const std::string& name : desk.workbench.stage.highlight) {
-        if (name.starts_with("column:")) continue;  // of tables that GL fills; this desk has no GL
+        if (name.starts_with("column:")) continue;  // GL fills these tables; this desk has no GL
         require(std::ranges::find(found, name, &widgets::Targets::Found::name) != found.end(), name);
     }
     return missing;

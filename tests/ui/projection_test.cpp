@@ -57,7 +57,7 @@ TEST(ProjectionWindow, AStretchedPictureIsMendedByLeftAndRight) {
     desk.params().projection.set_window({-0.1, 0.5, -0.1, 0.1});
     desk.settle();
     ASSERT_EQ(desk.problems.size(), 1U);
-    EXPECT_NE(say(desk.problems.front().sentence).find("the window is 3 times as wide as it is high"),
+    EXPECT_NE(say(desk.problems.front().sentence).find("the projection window is 3 times as wide as it is high"),
               std::string::npos);
     const std::vector<std::string> fix{desk.problems.front().fixed_by};
     const Result<Params> fixed = apply_settings(desk.params(), fix, "fix");

@@ -20,7 +20,7 @@ MOVING = {"fighting-jiggle"}
 
 # With the same Mesa as the desktop program: in at most `share` of the pixels, a channel differs by more than `levels`.
 USUAL = Threshold(2, 0.001)
-# SwiftShader is another rasterizer, so edges fall on other pixels.
+# SwiftShader rasterizes differently, so edges fall on different pixels.
 USUAL_ELSEWHERE = Threshold(8, 0.01)
 LOOSER = {}  # none: the driver is the same
 FIGHTS = Threshold(8, 0.1, "surfaces at equal depth: the last bit of the driver's interpolation decides which wins at a pixel")

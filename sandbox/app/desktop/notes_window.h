@@ -1,8 +1,8 @@
 // The lecturer's notes in their own window, on another screen if there is one. It has large text and nothing to click.
 // Closing the window only hides it; keys pressed in it control the lesson.
 //
-// The first window's GL context draws the notes, with a second ImGui context that gets no input, into a texture. The
-// second window's context shares this texture and copies it to its screen. ImGui's backends therefore use only one
+// The first window's GL context draws the notes into a texture, using a second ImGui context that gets no input. The
+// notes window's GL context shares this texture and copies it to the screen. ImGui's backends therefore use only one GL
 // context, and a slow or missing notes window does not disturb the lecture.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Grades as one HTML page for a lecturer: points, misconceptions, and every attempt.
+// A page of grades for a lecturer, in HTML: points, misconceptions, and every attempt.
 #pragma once
 
 #include <string>

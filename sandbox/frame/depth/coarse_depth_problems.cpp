@@ -1,5 +1,5 @@
-// Reports surfaces that depth cannot tell apart: depth is too coarse for the objects in view, or an object lies in a
-// plane. Part of problems.h.
+// Reports surfaces that the depth buffer cannot tell apart: it is too coarse for the objects in view, two surfaces are
+// nearly coplanar, or an object lies in one of the drawn planes. Part of problems.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -135,8 +135,8 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
         "depth.offset.units=" + plain_number(std::copysign(1.0, depth.offset.units) / *unit * 1.5));
 }
 
-/// Reports nearly coplanar surfaces that fight, naming the pair whose gap is the smallest fraction of the gap that it
-/// needs.
+/// Reports nearly coplanar surfaces that fight, naming the pair whose gap is smallest relative to the gap that would be
+/// enough.
 void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                std::span<const FlatPair> pairs) {
     if (culls_all(params) || !is_cleared_to_farthest(params.depth) || has_bent_depth(params.depth)) return;
@@ -177,7 +177,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
                 fix);
 }
 
-/// Reports objects that lie in a plane, so that object and plane fight wherever both are in the picture.
+/// Reports objects that lie in one of the drawn planes, so that the two fight wherever both are in the picture.
 void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const Lens lens = params.lens();
     const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);

@@ -41,7 +41,7 @@ struct DepthCodes {
     std::int64_t codes_per_tick = 1;
 };
 
-/// Returns the codes at the ends of equal intervals. Every code is an end if that takes at most `most_ticks` intervals;
+/// Returns the codes at the ends of equal intervals: every code if there are at most `most_ticks` + 1 of them;
 /// otherwise, the number of intervals is the largest power of two up to `most_ticks`. A `most_ticks` below 2 counts as
 /// 2.
 DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, int most_ticks);

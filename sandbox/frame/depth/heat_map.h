@@ -26,8 +26,8 @@ struct HeatMap {
 
     /// The values of fighting_onset().gap(), which is one code plus the error of the arithmetic before it, at eye
     /// distances that are evenly spaced on a logarithmic scale: the first entry is at near, the last at far. Very close
-    /// to near, the space up to the near plane is too narrow for a sufficient gap; the entries there repeat the value
-    /// of the nearest distance that has one. All entries are positive.
+    /// to near, no sufficient gap fits between a surface and the near plane; the entries there repeat the entry of the
+    /// nearest distance at which one fits. All entries are positive.
     std::array<double, entry_count> onsets{};
     double near = 1.0, far = 2.0;
     std::vector<std::optional<FlatGap>> gap_of_object;  ///< by object index; none if the object is in no pair

@@ -36,7 +36,8 @@ bool is_flat(const glm::dmat4& matrix) {
     return !(std::abs(glm::determinant(matrix)) > 1e-12);
 }
 
-/// Reports a fault that has a name; returns whether there is one. `letter`: V or P.
+/// Reports a matrix that has no inverse, is another kind of matrix, or contains a known mistake; returns whether one of
+/// these applies. `letter`: V or P, the kind that the matrix should be.
 bool tell_fault(Sayer& tell, char letter, const char* path, const glm::dmat4& matrix, const ExplainedMatrix& found) {
     const std::string name(1, letter);
     if (is_flat(matrix)) {

@@ -1,4 +1,4 @@
-// Runs each method: the order first, then the picture at the step. Read hidden_drawing.cpp next.
+// Runs each method: finds its order, if any, then the picture at the requested step. Read hidden_drawing.cpp next.
 #include "frame/hidden/hidden_surfaces.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// The scene as a row of mirrors shows it. Forms take a scene point (x, y, z, 1).
+/// The scene as seen through a sequence of mirrors, or just one. Forms take a scene point (x, y, z, 1).
 struct WayThroughMirrors {
     std::vector<std::size_t> mirrors;  ///< in the order in which the view ray meets them; never empty
     bool is_from_behind = false;       ///< the last mirror's normal points away from the side that is seen
@@ -22,8 +22,8 @@ struct WayThroughMirrors {
     std::vector<glm::dvec4> forms_behind(double tolerance) const;
 };
 
-/// Returns a way for each row of mirrors in which the frame draws objects. Without the stencil, an image need not be
-/// inside the mirror's patch.
+/// Returns a way for each sequence of mirrors in which the frame draws objects. Without the stencil, an image need not
+/// be inside the mirror's patch.
 std::vector<WayThroughMirrors> ways_through_mirrors(const Params& params, const Derived& derived,
                                                     const FramePlan& frame);
 

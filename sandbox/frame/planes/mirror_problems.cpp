@@ -1,4 +1,4 @@
-// Reports why each switch of the planar mirror breaks the picture, but only if that is visible. Part of problems.h;
+// For each switch of the planar mirror that visibly breaks the picture, reports why. Part of problems.h;
 // shadow_problems.cpp is its counterpart.
 #include <algorithm>
 #include <array>

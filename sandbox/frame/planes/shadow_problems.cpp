@@ -1,4 +1,4 @@
-// Reports why each switch of the planar shadow breaks the picture, but only if that is visible. Part of problems.h;
+// For each switch of the planar shadow that visibly breaks the picture, reports why. Part of problems.h;
 // mirror_problems.cpp is its counterpart.
 #include <algorithm>
 #include <array>
@@ -58,8 +58,8 @@ struct Landed {
     std::vector<glm::dvec4> forms;
 };
 
-/// Returns the part of a shadow where all the forms `seen`, which take a point of the plane, are positive; none for an
-/// S entered by hand. `on_patch`: only the part on the plane's patch.
+/// Returns the part of a shadow where all forms in `seen` are positive; none for an S entered by hand. The forms take a
+/// point of the plane. `on_patch`: returns only the part on the plane's patch.
 std::optional<Landed> landed_part(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
                                   Part part, std::span<const glm::dvec4> seen, bool on_patch) {
     if (cast.by_hand) return std::nullopt;

@@ -125,7 +125,7 @@ Why why(const WhyQuestion& question) {
     add_fault_rows(made, question);
     add_sample_row(made, question);
     add_sum_row(made, question);
-    // Other kinds of picture do not show the colors in the rows.
+    // The rows' colors appear only in a picture that shows colors or facing.
     if (question.plan.shows != Shows::color && question.plan.shows != Shows::facing)
         for (WhyRow& row : made.rows)
             if (row.fix.empty() && row.kind != WhyRow::Kind::sum) row.after.reset();

@@ -43,7 +43,8 @@ std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std:
                "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
 
-/// Says which caster's point S maps to the pixel for one light, and how the shadow passes darken the pixel.
+/// Says, for one light, which point of which caster the matrix S maps to the pixel, and how the shadow passes darken
+/// the pixel.
 std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
                             std::size_t light) {
     const Touch& first = *shadow.first;

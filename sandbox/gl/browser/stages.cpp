@@ -1,4 +1,4 @@
-// WebGL 2 has only linked programs.
+// WebGL 2 has no separable programs: make_stage() fails, and the other functions do nothing.
 #include "gl/stages.h"
 
 namespace viewing::gl {

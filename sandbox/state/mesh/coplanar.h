@@ -1,4 +1,4 @@
-// The scene `coplanar`: pairs of quads that show depth fighting. A formula makes them from the parameters in
+// The scene `coplanar`: pairs of quads that show depth fighting. They are computed from the parameters in
 // depth_params.h.
 #pragma once
 

@@ -197,7 +197,7 @@ void show_projection(const Column& column) {
         : params.projection.is_orthographic() ? say("aspect {aspect}", "aspect"_a = aspect)
         : params.slips.degrees_as_radians
             ? say("c = cot(½ · {fovy} rad) (mistake)", "fovy"_a = number_text(params.projection.fovy, 1))
-            : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
+            : say("c = cot(½ fovy), aspect {aspect}", "aspect"_a = aspect),
         params.camera_overrides.clip_from_view, column.pastes);
 }
 

@@ -15,8 +15,8 @@ struct CameraTab {
     std::optional<LookAt> typed;
 };
 
-/// Draws the choice of the two ways, and the pose. If the state lists its controls or a lesson covers a part of the
-/// pose, only position and angles appear.
+/// Draws the camera's pose as position and angles or as gluLookAt arguments, and the choice between the two. If the
+/// state lists the controls to show, or a lesson covers part of the pose, only position and angles appear.
 void draw_camera_pose(CameraTab& tab, Params& params);
 
 }  // namespace viewing

@@ -15,8 +15,8 @@ Topic topic_of(const Params& params, Slot slot);
 /// Chooses another topic for a slot. If the other slot already shows it, the two swap.
 void choose_topic(Params& params, Slot slot, Topic topic);
 
-/// Returns the slot to show if only one fits: the right one if only the right topic was chosen, or if neither was
-/// chosen and the hidden-surface method has its own topic; otherwise the left one.
+/// Returns the slot to show if only one fits. This is the left slot, unless the left topic is `automatic` and the right
+/// topic either was chosen or is the hidden-surface method's own.
 Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.

@@ -217,7 +217,7 @@ void draw_plane_section(Session& session, const Derived& derived, const std::vec
     plane_controls(session.params, 0, session.scene().bounds_world);
     const glm::dvec4& unit = derived.planes.front().unit_plane;
     const std::string note =
-        say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
+        say("normalized: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
             "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
     if (!widgets::IsListing() || widgets::IsHighlighted("text:unit normal")) named_note("text:unit normal", note);
     further_planes(session.params, session.scene().bounds_world);

@@ -57,7 +57,7 @@ void add_text(std::array<Row, 4>& rows, std::size_t row, const std::string& text
         rows[other].push_back({other == row ? text : std::string(character_count(text), ' '), widgets::Role::none});
 }
 
-/// A step of the way: the matrix that maps the point, and the point's coordinates before and after.
+/// One step on a point's way through the spaces: the matrix that maps the point, and its coordinates before and after.
 struct Carried {
     glm::dmat4 matrix{1.0};
     glm::dvec4 before{0.0}, after{0.0};

@@ -26,7 +26,7 @@ void take_into(Session& session, char letter, const glm::dmat4& matrix, double v
                        false};
 }
 
-/// Enters the matrix by hand, unchanged, in place of the state's own.
+/// Puts the matrix, unchanged, in place of the state's, like one entered by hand, and reports this in a message.
 void enter_into(Session& session, char letter, const glm::dmat4& matrix) {
     if (!enter_by_hand(session.params, letter, matrix)) return session.report(Error{tr(no_state)});
     session.message = {

@@ -41,7 +41,7 @@ Arrangement Workbench::arranged(const Session& session) const {
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
     now.in_lesson = guide.is_shown();
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
-    constexpr float least_derivation = 420.0F;  // a figure with its lines beside it
+    constexpr float least_derivation = 420.0F;  // fits a derivation's figure with the lines beside it
     if (is_any_shown(session.params, &LowerView::has_derivation)) {
         now.least_lower = least_derivation;
         now.least_area = 100'000.0F;

@@ -192,7 +192,7 @@ TEST(ExplainMatrix, NamesEachWayToSpoilAMatrix) {
 
 TEST(ExplainMatrix, NeverCallsARightMatrixWrong) {
     check(right_matrices);
-    // In special states, V = C, R is symmetric, or a transpose is the matrix itself.
+    // In this state, V and C are the identity and R is symmetric, so they equal their own transposes.
     for (const char named : {'\0', 'V', 'C', 'P', 'S', 'R'}) {
         Params params;
         params.camera.look({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}});

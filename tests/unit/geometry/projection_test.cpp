@@ -70,7 +70,7 @@ TEST(Projection, AWindowsEdgesAreThePicturesEdges) {
     }
 }
 
-// A centered window shows what the corresponding angle or height shows.
+// A centered projection window gives the same P as the corresponding angle or height.
 TEST(Projection, ACenteredWindowIsAnAngleOrAHeight) {
     for (const bool orthographic : {false, true}) {
         Lens lens{.orthographic = orthographic, .fovy_deg = 90.0, .height = 6.0, .near = 0.5, .far = 40.0};

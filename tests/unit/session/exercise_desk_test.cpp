@@ -92,7 +92,7 @@ protected:
         }
         ADD_FAILURE() << "the desk never becomes ready";
     }
-    /// Updates as a window does for a while.
+    /// Keeps updating for a while, as a window does.
     void wait(ExerciseDesk& desk, double seconds = 0.6) {
         for (const double end_s = now_s() + seconds; now_s() < end_s;) {
             update(desk);
