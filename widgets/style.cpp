@@ -28,7 +28,7 @@ constexpr Palette dark{
     .camera = Rgb(0x56B4E9),
     .mirror = Rgb(0xCC79A7),
     .point = Rgb(0xF0E442),
-    .trouble = Rgb(0xE85C33),
+    .trouble = Rgb(0xEB6239),
 };
 
 // On a light background, the role colors have the same hues but are darker: their contrast is at least 3 : 1 on every

@@ -153,7 +153,7 @@ struct Measured {
             smallest = what + "1/" + std::to_string(1.0 / legible->size);
         }
         // A glyph thinner than a pixel never reaches its color.
-        constexpr double least_contrast = 4.4, least_drawn = 0.3;
+        constexpr double least_contrast = 4.5, least_drawn = 0.3;
         if (legible->contrast < least_contrast) pale.push_back(what + std::to_string(legible->contrast));
         if (legible->drawn < least_drawn) missing.push_back(what + std::to_string(legible->drawn));
     }
