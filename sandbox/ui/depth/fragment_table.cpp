@@ -160,7 +160,7 @@ bool draw_row(const FragmentRow& row, const FragmentWidths& widths, const TableF
     bool is_clicked = false;
     ImGui::TableNextRow(0, height);
     // Red text needs a darker background.
-    const ImU32 tint = with_alpha(palette().accent, row.is_close ? 12U : 45U);
+    const ImU32 tint = with_alpha(palette().accent, row.is_close ? 12U : 38U);
     if (row.is_seen) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, tint);
     for (int column = 0; column < fragment_columns; ++column) {
         const auto c = static_cast<std::size_t>(column);
