@@ -130,9 +130,12 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     const float usual = inner::FaceOf(CurrentContext().fonts.matrix).size, small = symbol.size / growth;
     const float shown_height = growth * ShownHeight(usual, hides_symbols, symbols ? small : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
-    const float stretch = CurrentContext().matrix_growth / growth;
-    spread = std::floor(0.5F * (stretch - 1.0F) * shown_height);
-    cell_height += 2.0F * spread;
+    if (const float rows = CurrentContext().matrix_growth; rows > 1.0F) {  // symbols that shrank leave space, too
+        const float full =
+            rows * ShownHeight(usual, hides_symbols, symbols ? inner::FaceOf(CurrentContext().fonts.note).size : 0.0F);
+        spread = std::floor(0.5F * std::max(full - shown_height, 0.0F));
+        cell_height += 2.0F * spread;
+    }
 }
 
 void DrawBrackets(ImDrawList* draw, ImVec2 min, ImVec2 max, float at, bool overridden) {
