@@ -462,9 +462,9 @@ TEST(Matrices, EveryViewBearsAnyVAndP) {
             desk.params().scene = std::string(topic % 2 == 0 ? "coplanar" : "torus-and-boxes");
             desk.params().view.lower_right = static_cast<Topic>(topic);
             desk.settle();
-            for (const ImDrawList* list : std::span(ImGui::GetDrawData()->CmdLists,
-                                                    static_cast<std::size_t>(ImGui::GetDrawData()->CmdListsCount)))
-                for (const ImDrawVert& vertex : list->VtxBuffer)
+            const ImDrawData& drawn = *ImGui::GetDrawData();
+            for (int list = 0; list < drawn.CmdListsCount; ++list)
+                for (const ImDrawVert& vertex : drawn.CmdLists[list]->VtxBuffer)
                     ASSERT_TRUE(std::isfinite(vertex.pos.x) && std::isfinite(vertex.pos.y));
         }
     }
