@@ -98,15 +98,20 @@ void mark_cutting_face(Overlay& overlay, const Params& params, const Derived& de
 
 void slider_between(Params& params, const char* path, const Rect& row, const char* from, const char* to) {
     const float gap = px(8.0F), words = ImGui::CalcTextSize(from).x + ImGui::CalcTextSize(to).x + 4.0F * gap;
-    ImGui::SetCursorScreenPos({row.min.x + gap, row.min.y + 0.5F * gap});
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(from);
-    ImGui::SameLine(0.0F, gap);
+    // Do not use SameLine() here: the view's header has left its own pending, and newer versions of Dear ImGui would
+    // put the slider on the header's line.
+    const float y = row.min.y + 0.5F * gap;
+    const auto text_at = [y](float x, const char* text) {
+        ImGui::SetCursorScreenPos({x, y});
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(text);
+    };
+    text_at(row.min.x + gap, from);
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + gap, y});
     const float width = std::max(row.width() - words, px(40.0F)) / widgets::CurrentContext().scale;
     const std::string label = "##" + std::string(field(path).name());
     control(params, path, {.decimals = 2, .slider = true, .width = width, .label = label.c_str()});
-    ImGui::SameLine(0.0F, gap);
-    ImGui::TextUnformatted(to);
+    text_at(ImGui::GetItemRectMax().x + gap, to);
 }
 
 Rect slider_row(const Rect& rect, const char* path) {
