@@ -127,8 +127,8 @@ struct Context {
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
     bool is_on_stage = false;            ///< in front of an audience: a tooltip disappears if the pointer keeps resting
-    float matrix_growth = 1.0F;          ///< at least 1: the height of the matrices drawn next; their type grows along,
-                                         ///< by 1.4 at most and as far as their width allows
+    float matrix_growth = 1.0F;          ///< at least 1: scales the height of the matrices drawn next; their type grows
+                                         ///< along, by 1.4 at most and as far as their width allows
     bool printed = false;                ///< for a printed figure, where nothing should look pressable
     std::vector<SectionPlace> sections;  ///< of the panel, in this frame
     std::string section_asked;           ///< a section to open and scroll to

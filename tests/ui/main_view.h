@@ -1,4 +1,4 @@
-// Finds the largest view on stage, for the tests of the layout and of the pixels.
+// Finds the main view on stage, for the tests of the layout and of the pixels.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,9 @@ inline float area_of(const Rect& rect) {
 /// Returns the rectangles of the camera's pictures, or of the view that is shown large in their place.
 inline std::vector<Rect> main_view(const Layout& layout) {
     if (!layout.camera.empty()) return {layout.camera, layout.beside};
-    const std::vector<std::vector<Rect>> views = {
-        {layout.camera, layout.beside}, {layout.lower_left}, {layout.lower_right}, {layout.matrices}};
-    const auto whole = [](const std::vector<Rect>& view) {
-        float sum = 0.0F;
-        for (const Rect& rect : view) sum += area_of(rect);
-        return sum;
-    };
-    return *std::max_element(views.begin(), views.end(),
-                             [&](const auto& a, const auto& b) { return whole(a) < whole(b); });
+    const std::vector<Rect> views = {layout.lower_left, layout.lower_right, layout.matrices};
+    return {*std::max_element(views.begin(), views.end(),
+                              [](const Rect& a, const Rect& b) { return area_of(a) < area_of(b); })};
 }
 
 /// Returns the fraction of the area above the lesson's text that the main view occupies.

@@ -23,10 +23,7 @@ Json object_of(Json properties) {
 Json list_of(Json items, std::size_t most, std::size_t least) {
     Json list = {{"type", "array"}, {"maxItems", most}};
     if (least > 0) list["minItems"] = least;
-    if (!items.is_array()) {
-        list["items"] = std::move(items);
-        return list;
-    }
+    if (!items.is_array()) items = Json::array({std::move(items)});
     if (most > items.size() || items.size() == 1) list["items"] = items.back();  // of those after the first ones
     if (items.size() > 1) list["prefixItems"] = std::move(items);
     return list;

@@ -42,7 +42,7 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     padding_px_ = padding_to_fill(lines, room.y);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(4.0F), padding_px_});
     // On stage, rows that are far apart have lines between them, which lead the eye from a name to its number.
-    const ImGuiTableFlags lines_between = widgets::HasPlainTitles() ? ImGuiTableFlags_BordersInnerH : 0;
+    const ImGuiTableFlags lines_between = padding_px_ > px(cell_padding_y) ? ImGuiTableFlags_BordersInnerH : 0;
     is_open_ = ImGui::BeginTable(id, has_detail_ ? 3 : 2, ImGuiTableFlags_ScrollY | lines_between, size);
     if (!is_open_) return;
     const float number_width = ImGui::CalcTextSize(std::to_string(count).c_str()).x + px(8.0F);

@@ -281,7 +281,7 @@ PointNumbers numbers_in(std::span<const std::string> listed, const Session& sess
 constexpr float symbols_padding = 4.0F;  ///< above and below each part of a list that has symbols; design pixels
 
 /// Returns the height of the listed parts, one below the other, if the first `symbolic` matrices have symbols.
-/// `growth`: the scale factor of the matrices' numbers and symbols.
+/// `growth`: the scale factor of the matrices' heights.
 float height_of(std::span<const std::string> listed, std::size_t symbolic, const Session& session,
                 float growth = 1.0F) {
     const float padding = symbolic > 0 ? px(symbols_padding) : 0.0F;

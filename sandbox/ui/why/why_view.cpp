@@ -55,13 +55,16 @@ struct RowTexts {
     }
 };
 
-/// Returns the indices of the rows to draw. On stage, which has no Fix button, the row of the fault would only repeat
-/// the sentence at the top.
+/// Returns the indices of the rows to draw. Without a Fix button, as on stage, the row of the first fault would only
+/// repeat the sentence at the top.
 std::vector<std::size_t> shown_rows(const Why& why) {
-    const bool has_fault = !widgets::HasPlainTitles() && !widgets::IsCovered(fault_target);
+    bool repeats = widgets::HasPlainTitles() && !widgets::OffersButton("Fix");
     std::vector<std::size_t> shown;
-    for (std::size_t i = 0; i < why.rows.size(); ++i)
-        if (has_fault || why.rows[i].kind != WhyRow::Kind::fault) shown.push_back(i);
+    for (std::size_t i = 0; i < why.rows.size(); ++i) {
+        const bool is_fault = why.rows[i].kind == WhyRow::Kind::fault;
+        if (is_fault && (std::exchange(repeats, false) || widgets::IsCovered(fault_target))) continue;
+        shown.push_back(i);
+    }
     return shown;
 }
 
