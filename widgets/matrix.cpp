@@ -129,13 +129,13 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
                                             [](const MatrixCell& cell) { return *cell.symbol == '\0'; });
     const float usual = inner::FaceOf(CurrentContext().fonts.matrix).size, small = symbol.size / growth;
     const float shown_height = growth * ShownHeight(usual, hides_symbols, symbols ? small : 0.0F);
-    cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
     if (const float rows = CurrentContext().matrix_growth; rows > 1.0F) {  // symbols that shrank leave space, too
-        const float full =
-            rows * ShownHeight(usual, hides_symbols, symbols ? inner::FaceOf(CurrentContext().fonts.note).size : 0.0F);
-        spread = std::floor(0.5F * std::max(full - shown_height, 0.0F));
-        cell_height += 2.0F * spread;
+        const float full_symbol = symbols ? inner::FaceOf(CurrentContext().fonts.note).size : 0.0F;
+        const float full_height = rows * ShownHeight(usual, hides_symbols, full_symbol);
+        spread = std::floor(0.5F * std::max(full_height - shown_height, 0.0F));
     }
+    const float text_height = style.editable ? std::max(number_height + Px(4), shown_height) : shown_height;
+    cell_height = std::ceil(text_height) + 2.0F * spread;
 }
 
 void DrawBrackets(ImDrawList* draw, ImVec2 min, ImVec2 max, float at, bool overridden) {

@@ -134,8 +134,8 @@ constinit const Command lecture_command{
     "[ID|FILE] [--present] [--notes terminal|window|FILE] [OPTIONS]",
     "opens the window in a lecture: lessons, steps and presets one after another",
     "A lecture is a JSON file that lists parts, each with its minutes: a lesson, some of a lesson's steps, or a "
-    "preset. "
-    "Page Down leads from its beginning to its end; after a lesson, a card says what was seen and what comes next.",
+    "preset. Page Down leads from its beginning to its end; after a lesson, a card says what was seen and what comes "
+    "next.",
     "lecture --present --notes window\n"
     "lecture mine.json\n"
     "lecture --check mine.json\n"

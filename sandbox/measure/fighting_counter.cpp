@@ -86,7 +86,7 @@ void FightingCounter::count_next(Renderer& renderer, const Scene& scene) {
     if (!has_more_pictures()) return;
     const bool is_cure = picture_ < cure_count();
     const Params params = is_cure ? report_->cured[static_cast<std::size_t>(picture_)].cure.params
-                                  : trembling(asked_->params, picture_ - cure_count());
+                                  : jittered(asked_->params, picture_ - cure_count());
     const Result<IdImage> drawn =
         objects_by_gl(renderer, params, scene, is_cure ? asked_->size_px : spread_size(asked_->size_px));
     if (!drawn) return give_up(drawn.error());

@@ -171,7 +171,7 @@ Status count_spread(FightingReport& report, Renderer& renderer, const Params& st
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
     for (int camera = 0; camera < spread_cameras; ++camera) {
         const Result<FightingCounts> counts =
-            count_fighting(renderer, trembling(state, camera), scene, pairs, spread_size(report.size_px), progress);
+            count_fighting(renderer, jittered(state, camera), scene, pairs, spread_size(report.size_px), progress);
         if (!counts) return Error{counts.error()};
         take_spread(report, *counts);
     }

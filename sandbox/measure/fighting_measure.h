@@ -33,14 +33,14 @@ Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, c
 /// Returns the size of the pictures for a spread: that of the report, but at most 480 pixels wide.
 glm::ivec2 spread_size(glm::ivec2 size_px);
 
-/// Adds the counts for one of the trembling() cameras to the spreads of the rows.
+/// Adds the counts for one of the jittered() cameras to the spreads of the rows.
 void take_spread(FightingReport& report, const FightingCounts& counts);
 
 /// Calls count_fighting() with each of the report's cures applied, and puts the counts into the report. The error is
 /// that of count_fighting().
 Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress = nullptr);
 
-/// Calls count_fighting() for each of the trembling() cameras, and take_spread() with the counts. The error is that of
+/// Calls count_fighting() for each of the jittered() cameras, and take_spread() with the counts. The error is that of
 /// count_fighting().
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress = nullptr);

@@ -251,11 +251,11 @@ TEST_F(Fighting, StaysWithinThePredictionFromEveryCamera) {
         params.coplanar.tilt = random.number(0.0, 50.0);
         const Result<Scene> scene = load_scene(params.scene, "", params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
-        const Params trembled = trembling(params, trial % spread_cameras);
-        const FightingCounts counts = count(trembled, *scene);
-        const Derived derived = derive(trembled, *scene, {fighting_px, renderer().capabilities().clip_control});
+        const Params moved = jittered(params, trial % spread_cameras);
+        const FightingCounts counts = count(moved, *scene);
+        const Derived derived = derive(moved, *scene, {fighting_px, renderer().capabilities().clip_control});
         for (const CountedPair& counted : counts.pairs) {
-            const auto share = predict_pair(counted.pair, trembled, derived, fighting_px).wrong_share;
+            const auto share = predict_pair(counted.pair, moved, derived, fighting_px).wrong_share;
             if (!share || counted.pixels < 300) continue;
             ++said;
             said_between += share->most > 0.02 && share->least < 0.98 ? 1 : 0;
@@ -299,7 +299,7 @@ TEST_F(Fighting, IsCountedWithItsSpreadWhereNothingIsPredicted) {
         FightingReport report = fighting_report(count(params, scene), params, derived, scene, fighting_px);
         ASSERT_TRUE(count_spread(report, renderer(), params, scene));
         for (int fresh = 0; fresh < 4; ++fresh) {
-            const FightingCounts counts = count(trembling(params, spread_cameras + fresh), scene);
+            const FightingCounts counts = count(jittered(params, spread_cameras + fresh), scene);
             for (std::size_t i = 0; i < report.rows.size(); ++i) {
                 const ShareSpread& spread = report.rows[i].spread;
                 if (report.rows[i].predicted.wrong_share || counts.pairs[i].pixels == 0) continue;

@@ -49,7 +49,7 @@ double ShareSpread::standard_error() const {
     return cameras > 1 ? deviation() / std::sqrt(cameras) : 0.0;
 }
 
-Params trembling(const Params& state, int camera) {
+Params jittered(const Params& state, int camera) {
     constexpr double between_s = 0.83;  // not in step with either of the jitter's two frequencies
     Params params = state;
     params.animation.jiggle = true;

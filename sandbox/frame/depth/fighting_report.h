@@ -80,10 +80,10 @@ struct FightingReport {
     std::string problem;  ///< a sentence if nothing could be counted
 };
 
-/// The number of cameras in a spread. trembling() returns the state with one of them (counted from 0): the state's own
+/// The number of cameras in a spread. jittered() returns the state with one of them (counted from 0): the state's own
 /// camera, jittered.
 constexpr int spread_cameras = 12;
-Params trembling(const Params& state, int camera);
+Params jittered(const Params& state, int camera);
 
 /// Returns the counts with the names and predictions of their pairs.
 FightingReport fighting_report(FightingCounts counts, const Params& params, const Derived& derived, const Scene& scene,

@@ -58,7 +58,7 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     const bool in_two = !is_large && width >= px(320.0F);
     const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
     float height = ImGui::GetTextLineHeight() + px(is_large ? 5.0F : has_last ? 2.0F : 0.0F);
-    if (lines_below > 0 && !has_last)
+    if (lines_below > 0)
         height += 2.0F * (padding_to_fill(static_cast<int>(rows) + lines_below, ImGui::GetContentRegionAvail().y) -
                           px(cell_padding_y));
     ImGui::PopFont();

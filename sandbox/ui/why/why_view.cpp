@@ -88,8 +88,12 @@ RowPlace place_of(const std::vector<WhyRow>& rows, const std::vector<std::size_t
         return room.y - height;
     };
     RowPlace place = place_in(fonts.caption, rows, shown, room.x);
-    if (spare(place) < 0.0F) place = usual;
-    const float share = std::floor(spare(place) / static_cast<float>(shown.size()));
+    float rest = spare(place);
+    if (rest < 0.0F) {
+        place = usual;
+        rest = spare(place);
+    }
+    const float share = std::floor(rest / static_cast<float>(shown.size()));
     place.below = std::clamp(share, px(2.0F) - spacing, 1.5F * place.font->FontSize);
     return place;
 }
