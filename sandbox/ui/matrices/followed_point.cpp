@@ -168,8 +168,8 @@ void draw_followed_point(Session& session, const Derived& derived, PointNumbers 
         const bool has_note =
             matrix_heading(marked("Follow a point"), "p", how, Role::point, place_at_right(type_button));
         widgets::Tooltip("Follow a point",
-                         "Click a vertex of an object in the camera view. The vertex p, its shadow S p and its mirror "
-                         "image R p are then shown here.");
+                         "Click a vertex of an object in the camera view. The coordinates of this vertex p and of its "
+                         "images are then shown here.");
         offer_to_type(session.params, place_at_right(type_button), session.params.camera.target);
         if (!has_note) widgets::Note(how.c_str());
         return;

@@ -28,9 +28,9 @@ PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow,
 int lines_of(PointNumbers numbers);
 
 /// Returns the height of what draw_followed_point() draws.
-float followed_point_height(const Session& session, PointNumbers numbers = PointNumbers::plane);
+float followed_point_height(const Session& session, PointNumbers numbers);
 
 /// Draws the numbers; without a point, one line that says how to choose one.
-void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers = PointNumbers::plane);
+void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers);
 
 }  // namespace viewing

@@ -310,7 +310,7 @@ std::size_t symbolic_matrices(std::span<const std::string> listed, float room, c
 
 /// Returns the scale factor at which the listed matrices fill the column.
 float growth_of(std::span<const std::string> listed, std::size_t symbolic, float room, const Session& session) {
-    constexpr float largest = 2.4F;
+    constexpr float largest = 2.75F;
     const float usual = height_of(listed, symbolic, session),
                 added = height_of(listed, symbolic, session, 2.0F) - usual;
     return added > 0.0F ? std::clamp(1.0F + (room - usual) / added, 1.0F, largest) : 1.0F;
@@ -333,7 +333,8 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
     const float top = ImGui::GetCursorPosY(), height = ImGui::GetWindowHeight();
     const std::vector<std::string> opened{choice.opened};
     const bool has_pair = session.params.planes.size() > 1 || session.params.lights.size() > 1;
-    const float others = followed_point_height(session) + (has_pair ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
+    const float others = followed_point_height(session, numbers_in(about, session)) +
+                         (has_pair ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
     const std::array<float, 3> heights = matrix_heights();
     std::array<MatrixPart, 4> parts{};
     parts.fill(MatrixPart::symbols);

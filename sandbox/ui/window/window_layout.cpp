@@ -14,8 +14,8 @@ namespace {
 /// Approximate number of rows that a field's control takes in the panel.
 int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
-    const bool is_step =
-        field.path == "view.call" || field.path == "view.triangle";  // its control is in the view whose step it sets
+    const bool is_step = field.path == "view.call" || field.path == "view.triangle" ||
+                         field.path == "view.pass";  // its control is in the view whose step it sets
     const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
     const bool has_long_name = field.path == "shadow.lift";  // in Korean, the name is above the number
     return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : has_control ? 1 : 0;
