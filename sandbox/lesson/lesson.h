@@ -111,6 +111,7 @@ struct LessonStep {
     LoadedState start;        ///< before the answer, including the layout
     Params revealed;          ///< after the answer: with a goal's model and the reveal's changes
     bool names_lower_left = false, names_lower_right = false;  ///< false: not in the layout, so the stage hides it
+    bool keeps_lens = false;  ///< the step is about what its lens shows, so a narrow stage does not widen it
     std::optional<LessonTarget> target;
     LessonText say;
     std::vector<std::string> cover, highlight;

@@ -117,7 +117,8 @@ Object<LessonStep> layout_form() {
                             .required("point", point, &LessonTarget::point_world)
                             .optional("label", text_form(false), &LessonTarget::label);
     Object<LessonStep> layout;
-    layout.optional("target", target.form(), &LessonStep::target);
+    layout.optional("target", target.form(), &LessonStep::target)
+        .optional("keeps_lens", form::boolean(), &LessonStep::keeps_lens);
     for (const LayoutPlace& place : layout_places) {
         const auto change = [place](LessonStep& step, const Json* value, const Where& where) {
             step.start.params = changed(step.start.params, {std::string(place.path) + "=" + value->dump()}, where);

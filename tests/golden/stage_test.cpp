@@ -1,6 +1,7 @@
 // Measured texts on stage: after an answer, tables of pixels and of fighting pairs and the explanation of a pixel's
-// color fit completely at every projector size; at the smallest size, they also fit before the answer. The test needs
-// no reference pictures. tests/ui/lesson_test.cpp tests the parts that need no GL.
+// color fit completely at every projector size; at the smallest size, they also fit before the answer. And the picture
+// after an answer is what the answer says. The tests need no reference pictures. tests/ui/lesson_test.cpp tests the
+// parts that need no GL.
 #include "app/resting_window.h"
 #include "gl/gl_test.h"
 #include "lesson/lesson.h"
@@ -75,6 +76,31 @@ TEST_P(StageTablesTest, ShortTablesFillTheirColumn) {
         EXPECT_GT(last->baseline_px, 0.5F * (column.min.y + column.max.y));
         EXPECT_TRUE(!one.is_large || last->em_px >= sentence->em_px) << last->em_px;
     }
+}
+
+/// The answer to "how far away may z-near be?" holds on every projector: a much smaller z-near gives the same picture.
+TEST_P(StageTablesTest, AnsweredNearPlaneCutsNothing) {
+    Result<Lesson> lesson = load_lesson("lens");
+    ASSERT_TRUE(lesson) << lesson.error();
+    constexpr std::size_t step = 5;
+    ASSERT_EQ(lesson->steps[step].id, "near");
+    Rect camera;
+    const auto picture = [&](double near) {
+        lesson->steps[step].revealed.projection.near = near;
+        const std::unique_ptr<RestingWindow> window = stage_of(*lesson, step, true);
+        if (!window) return Image();
+        camera = window->layout().camera;
+        return window->read();
+    };
+    const Image answered = picture(lesson->steps[step].revealed.projection.near), nearer = picture(1.0);
+    ASSERT_EQ(answered.width, GetParam().x);
+    ASSERT_EQ(nearer.width, GetParam().x);
+    ASSERT_FALSE(camera.empty());
+    int changed = 0;
+    for (int y = static_cast<int>(camera.min.y); y < static_cast<int>(camera.max.y); ++y)
+        for (int x = static_cast<int>(camera.min.x); x < static_cast<int>(camera.max.x); ++x)
+            changed += testing::rgb_at(answered, {x, y}) == testing::rgb_at(nearer, {x, y}) ? 0 : 1;
+    EXPECT_EQ(changed, 0) << "pixels of the camera view";
 }
 
 INSTANTIATE_TEST_SUITE_P(Projectors, StageTablesTest, ::testing::Values(glm::ivec2(1024, 768), glm::ivec2(1280, 720)));

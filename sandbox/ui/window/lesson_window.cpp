@@ -58,7 +58,8 @@ void Workbench::show_only_named(const LessonStep& step) {
     views.marks_plane =
         follows || is_any(names, {"plane.", "matrix:S", "matrix:R", "matrix:follow", "derivation", "lecture_code"});
     constexpr double written_for = 1.6;
-    if (!is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"})) stage.least_aspect = written_for;
+    const bool is_about_lens = step.keeps_lens || is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"});
+    if (!is_about_lens) stage.least_aspect = written_for;
 }
 
 void Workbench::cover_question(const LessonRun& run) {
