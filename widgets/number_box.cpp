@@ -7,9 +7,7 @@
 
 #include "widgets/inner.h"
 
-namespace widgets {
-
-namespace inner {
+namespace widgets::inner {
 
 namespace {
 
@@ -356,5 +354,4 @@ bool NumberBox(const char* id_text, double& value, const NumberStyle& style, flo
     return changed;
 }
 
-}  // namespace inner
-}  // namespace widgets
+}  // namespace widgets::inner

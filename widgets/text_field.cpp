@@ -87,7 +87,7 @@ int CaretToEnd(ImGuiInputTextCallbackData* data) {
 }  // namespace
 
 bool TextField(const char* label, std::string& text, const char* hint, ImGuiInputTextFlags flags, bool* to_end) {
-    if (to_end) flags |= ImGuiInputTextFlags_CallbackAlways;
+    if (to_end != nullptr) flags |= ImGuiInputTextFlags_CallbackAlways;
     return KeptField(label, [&] { return ImGui::InputTextWithHint(label, hint, &text, flags, CaretToEnd, to_end); });
 }
 

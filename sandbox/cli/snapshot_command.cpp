@@ -171,7 +171,7 @@ LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, co
                    .student = typed.student.value_or(""),
                    .name = {},
                    .items = {}};
-    const std::string file = arguments.as_typed();
+    const std::string& file = arguments.as_typed();
     if (!file.empty()) {
         if (typed.student || typed.course)
             options.refuse("--student and --course cannot be given with a hand-in, which names both");

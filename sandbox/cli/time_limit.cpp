@@ -1,6 +1,5 @@
 #include "cli/time_limit.h"
 
-#include <signal.h>
 #include <sys/time.h>
 #include <unistd.h>
 

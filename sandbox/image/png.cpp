@@ -95,8 +95,9 @@ void take_note(FoundNote& note, std::string_view type, std::span<const std::uint
     if (type == "zTXt") ++begin;
     if (type == "iTXt") {
         const std::size_t language_end = bytes.find('\0', begin + 2);
-        const std::size_t end = language_end == bytes.npos ? bytes.npos : bytes.find('\0', language_end + 1);
-        if (end == bytes.npos) return;
+        const std::size_t end =
+            language_end == std::string_view::npos ? std::string_view::npos : bytes.find('\0', language_end + 1);
+        if (end == std::string_view::npos) return;
         begin = end + 1;
     }
     if (begin > bytes.size()) return;

@@ -14,7 +14,7 @@ constexpr int largest_leaf = 4;
 constexpr float box_cost = 1.0F, triangle_cost = 1.5F;
 
 /// Three coordinates in the nodes' units; the fourth is 0.
-typedef float Point __attribute__((vector_size(16)));
+using Point __attribute__((vector_size(16))) = float;
 
 Point least_of(const Point& a, const Point& b) {
     return a < b ? a : b;

@@ -20,13 +20,13 @@ namespace {
 /// The number of rays that are traced together: one float for each of them fills one register, and one double for each
 /// fills two.
 struct FourLanes {
-    typedef float Float __attribute__((vector_size(16)));
-    typedef double Double __attribute__((vector_size(16)));
+    using Float __attribute__((vector_size(16))) = float;
+    using Double __attribute__((vector_size(16))) = double;
     static constexpr std::size_t count = 4, half = 2;
 };
 struct EightLanes {
-    typedef float Float __attribute__((vector_size(32)));
-    typedef double Double __attribute__((vector_size(32)));
+    using Float __attribute__((vector_size(32))) = float;
+    using Double __attribute__((vector_size(32))) = double;
     static constexpr std::size_t count = 8, half = 4;
 };
 

@@ -123,8 +123,8 @@ private:
         if (projection) met->distance = projected_distance(*projection, met->weights);
         const glm::dvec3 point =
             met->weights.x * corners[0] + met->weights.y * corners[1] + met->weights.z * corners[2];
-        found.push_back({object, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset,
-                         std::move(projection)});
+        found.push_back(
+            {object, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset, projection});
     }
 
     const FramePlan& plan_;

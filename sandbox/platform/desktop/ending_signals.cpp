@@ -1,10 +1,10 @@
 #include "platform/ending_signals.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 
 #include "platform/file.h"

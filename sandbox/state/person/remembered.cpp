@@ -72,7 +72,7 @@ Json lessons_as_json(const LessonsProgress& lessons) {
 Student student_in(const Json& object, const Where& where) {
     require_object(object, where, "an object of strings");
     const auto text = [&](const char* key) {
-        return object.contains(key) && object[key] != "" ? read_name(object[key], where.key(key)) : std::string();
+        return object.contains(key) && object[key] != Json("") ? read_name(object[key], where.key(key)) : std::string();
     };
     return {text("course"), text("number"), text("name")};
 }

@@ -85,7 +85,7 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
     const DepthPrecision& precision = pixel.precision;
     const int decimals = decimals_of(precision);
     const bool has_depth = pixel.written && pixel.has_depth;
-    const auto known = [&](std::string text) { return with_place_for_sign(has_depth ? text : "—"); };
+    const auto known = [&](const std::string& text) { return with_place_for_sign(has_depth ? text : "—"); };
     const auto from_depth = [&](const char* explanation) {
         if (!pixel.written || pixel.has_depth) return std::string(explanation);
         return std::string(tr("The pixel's depth is the clear value.")) + " " + explanation;

@@ -62,7 +62,7 @@ std::vector<std::string> EndCard::texts(const LessonRun& run) {
 }
 
 CardPicture EndCard::wanted_picture(const LessonRun& run) {
-    const std::shared_ptr<const Lesson> lesson = run.shared_lesson();
+    const std::shared_ptr<const Lesson>& lesson = run.shared_lesson();
     const std::size_t step = lesson->lecture ? lesson->lecture->parts[lesson->lecture->part_of(run.index())].first : 0;
     return {"end/" + lesson->id + "/" + std::to_string(step),
             [lesson, step]() -> Result<LoadedState> {

@@ -45,7 +45,7 @@ public:
         }
         return widgets::TroubleHeight(line.parts.front().c_str(), width) + below;
     }
-    static float of(const Lines& lines, float width, bool only_results) {
+    float of(const Lines& lines, float width, bool only_results) const {
         float height = 0.0F;
         for (const DerivationLine& line : lines)
             if (!only_results || !line.is_step) height += of(line, width, false);

@@ -209,8 +209,7 @@ void FileDialog::draw(Session& session) {
         list_folder();
     }
     bool chosen = false;
-    for (std::size_t index = 0; index < entries_.size(); ++index) {
-        const Entry entry = entries_[index];
+    for (const Entry& entry : entries_) {
         const std::string shown = entry.is_folder ? entry.name + "/" : entry.name;
         if (ImGui::Selectable(shown.c_str(), entry.name == name_,
                               ImGuiSelectableFlags_DontClosePopups | ImGuiSelectableFlags_AllowDoubleClick)) {
