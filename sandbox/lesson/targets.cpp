@@ -70,7 +70,6 @@ constexpr std::pair<std::string_view, const char*> former_names[] = {
     {"button:normalise", "button:normalize"},
     {"chart:precision.quantisation", "chart:precision.quantization"}};
 
-/// Fields without a control in the panel or in the camera view's headline.
 constexpr const char* without_control[] = {"version",
                                            "overrides",
                                            "follow",
@@ -136,16 +135,18 @@ std::string index_error(std::string_view name, const std::string& whole, const I
 
 }  // namespace
 
+bool has_control(std::string_view path) {
+    return std::none_of(std::begin(without_control), std::end(without_control),
+                        [path](const char* out) { return is_in(path, out); });
+}
+
 std::vector<std::string> target_names() {
     std::vector<std::string> names;
     const auto add = [&names](std::string name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
     };
-    for (const std::string& path : known_paths()) {
-        const bool is_shown = std::none_of(std::begin(without_control), std::end(without_control),
-                                           [&path](const char* out) { return is_in(path, out); });
-        if (is_shown) add("control:" + path);
-    }
+    for (const std::string& path : known_paths())
+        if (has_control(path)) add("control:" + path);
     add("view:camera");
     for (const char* topic : names_of<Topic>().subspan(1)) add(std::string("view:") + topic);
     for (const Kind& kind : kinds)

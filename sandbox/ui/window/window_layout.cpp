@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lesson/targets.h"
 #include "state/fields.h"
 #include "ui/matrices/display_code.h"
 #include "ui/matrices/followed_point.h"
@@ -13,12 +14,10 @@ namespace {
 
 /// Approximate number of rows that a field's control takes in the panel.
 int rows_of(const Field& field) {
+    if (!has_control(field.path)) return 0;
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
-    const bool is_step = field.path == "view.call" || field.path == "view.triangle" ||
-                         field.path == "view.pass";  // its control is in the view whose step it sets
-    const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
     const bool has_long_name = field.path == "shadow.lift";  // in Korean, the name is above the number
-    return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : has_control ? 1 : 0;
+    return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : 1;
 }
 
 int rows_of(const std::vector<std::string>& controls) {
