@@ -109,8 +109,8 @@ Json growth_as_json(const LoadedState& state, const GrowthRequest& request, cons
               {"scene", is_own ? Json(scene_name(state.params)) : Json()},
               {"size", as_json(glm::ivec2(request.width, request.height))},
               {"rows", std::move(rows)},
-              {"summary", growth_summary(measured)}};
-    if (with_times) json["times"] = growth_times(measured);
+              {"summary", say(growth_summary(measured))}};
+    if (with_times) json["times"] = say(growth_times(measured));
     return json;
 }
 

@@ -193,7 +193,7 @@ void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned,
     if (!state.told) {
         if (pinned.why_none.empty())
             offer("Point at the camera view to see why a pixel has its color; click to pin the pixel.");
-        else if (offer(pinned.why_none.c_str(), "Release"))
+        else if (offer(say(pinned.why_none).c_str(), "Release"))
             release_pixel(session.params.view);
         return;
     }
