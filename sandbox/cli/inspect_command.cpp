@@ -83,7 +83,7 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
         std::string text;
         for (const Why& one : all) {
             list.push_back(why_as_json(one));
-            text += why_as_text(one);
+            text += say(why_as_text(one));
         }
         print(is_text ? text : print_document(is_list ? list : list.front()) + "\n");
         return ExitStatus::done;

@@ -122,7 +122,7 @@ std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequ
                         bool with_times) {
     if (request.scene == GrowthScene::own_polygons) {
         const glm::ivec2 size_px(request.width, request.height);
-        value_or_end(check_hidden_budget(scene, true));
+        end_if(beyond_hidden_budget(scene, true));
         request.own_polygons = surface_of(scene).polygons;
         request.viewpoint =
             hidden_request(state.params, derive(state.params, scene, Viewport{size_px}), size_px).viewpoint;
@@ -148,7 +148,7 @@ ExitStatus run_measure(const Command& self, const Arguments& arguments) {
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
 
-    if (typed.what == "visibility") value_or_end(check_hidden_budget(scene, true));
+    if (typed.what == "visibility") end_if(beyond_hidden_budget(scene, true));
 
     std::string text;
     if (typed.what == "growth") {
