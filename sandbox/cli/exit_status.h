@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "text/message.h"
 #include "text/result.h"
 
 namespace viewing {
@@ -64,6 +65,11 @@ template <typename T>
 T value_or_end(Result<T> result, ExitStatus status = ExitStatus::bad_input) {
     if (!result) throw Failure(status, result.error());
     return *std::move(result);
+}
+
+/// Ends the command if there is a refusal.
+inline void end_if(const Message& refusal) {
+    if (!refusal.empty()) throw Failure(ExitStatus::bad_input, say(refusal));
 }
 
 }  // namespace viewing

@@ -48,8 +48,7 @@ void check_size(const Options& options, const PictureRequest& request) {
 }
 
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px) {
-    if (const auto question = hidden_question(params, derived, size_px))
-        value_or_end(check_hidden_budget(scene, *question));
+    if (const auto question = hidden_question(params, derived, size_px)) end_if(beyond_hidden_budget(scene, *question));
 }
 
 ExitStatus status_of_trouble(PictureView view) {

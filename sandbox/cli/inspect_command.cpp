@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& file) {
 std::optional<std::string> pixel_of_state(const Params& params, const Derived& derived, const Scene& scene,
                                           glm::ivec2 size_px) {
     const PinnedPixel pinned = pinned_pixel(params, derived, plan(params, derived), scene, size_px);
-    if (!pinned.why_none.empty() && params.view.pin) throw Failure(ExitStatus::bad_input, pinned.why_none);
+    if (!pinned.why_none.empty() && params.view.pin) throw Failure(ExitStatus::bad_input, say(pinned.why_none));
     const std::optional<glm::ivec2> pixel = pinned.pixel ? pinned.pixel : params.view.pixel;
     if (!pixel) return std::nullopt;
     return std::to_string(pixel->x) + "," + std::to_string(pixel->y);
@@ -83,7 +83,7 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
         std::string text;
         for (const Why& one : all) {
             list.push_back(why_as_json(one));
-            text += why_as_text(one);
+            text += say(why_as_text(one));
         }
         print(is_text ? text : print_document(is_list ? list : list.front()) + "\n");
         return ExitStatus::done;

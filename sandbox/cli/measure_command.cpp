@@ -109,8 +109,8 @@ Json growth_as_json(const LoadedState& state, const GrowthRequest& request, cons
               {"scene", is_own ? Json(scene_name(state.params)) : Json()},
               {"size", as_json(glm::ivec2(request.width, request.height))},
               {"rows", std::move(rows)},
-              {"summary", growth_summary(measured)}};
-    if (with_times) json["times"] = growth_times(measured);
+              {"summary", say(growth_summary(measured))}};
+    if (with_times) json["times"] = say(growth_times(measured));
     return json;
 }
 
@@ -122,7 +122,7 @@ std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequ
                         bool with_times) {
     if (request.scene == GrowthScene::own_polygons) {
         const glm::ivec2 size_px(request.width, request.height);
-        value_or_end(check_hidden_budget(scene, true));
+        end_if(beyond_hidden_budget(scene, true));
         request.own_polygons = surface_of(scene).polygons;
         request.viewpoint =
             hidden_request(state.params, derive(state.params, scene, Viewport{size_px}), size_px).viewpoint;
@@ -148,7 +148,7 @@ ExitStatus run_measure(const Command& self, const Arguments& arguments) {
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
 
-    if (typed.what == "visibility") value_or_end(check_hidden_budget(scene, true));
+    if (typed.what == "visibility") end_if(beyond_hidden_budget(scene, true));
 
     std::string text;
     if (typed.what == "growth") {

@@ -45,7 +45,7 @@ const char* outcome_of(FrustumPlane plane) {
                                          marked("cut off by the far plane"), marked("left of the picture"),
                                          marked("right of the picture"),     marked("below the picture"),
                                          marked("above the picture")};
-    return tr(texts[static_cast<std::size_t>(plane)]);
+    return texts[static_cast<std::size_t>(plane)];
 }
 
 }  // namespace viewing

@@ -25,7 +25,7 @@ CameraWay camera_way(const Params& params, const Derived& derived, const glm::dv
 /// lower left corner, and window depth. `zero_to_one`: the clip range of z is 0 … 1, otherwise −1 … 1.
 glm::dmat4 window_from_ndc(const glm::dvec2& size_px, bool zero_to_one);
 
-/// Returns what a frustum plane does to a point, as text in the UI language: "cut off by the near plane".
+/// Returns what a frustum plane does to a point: "cut off by the near plane", in English; use tr() to show it.
 const char* outcome_of(FrustumPlane plane);
 
 }  // namespace viewing

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "text/catalogue.h"
-
 namespace viewing {
 namespace {
 
@@ -31,7 +29,7 @@ DrawLimit without_empty_call(DrawLimit limit, const std::vector<DrawCall>& calls
 }  // namespace
 
 std::string plane_name(std::size_t plane) {
-    return plane == 0 ? tr("plane") : say("plane {number}", "number"_a = plane + 1);
+    return plane == 0 ? marked("plane") : "plane " + std::to_string(plane + 1);
 }
 
 bool is_chosen(Chosen chosen, const SceneObject& object) {
@@ -65,14 +63,14 @@ std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene) {
     return calls;
 }
 
-std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
+Message name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const Pass& pass = plan.passes.at(call.pass);
-    const std::string object =
-        call.object >= 0 ? object_text(scene.objects.at(static_cast<std::size_t>(call.object)).description.name)
-        : pass.subject == Subject::backdrop ? tr("square")
-                                            : plane_name(pass.plane);
-    return say("{object}, pass {number}: {pass}", "object"_a = object, "number"_a = call.pass + 1,
-               "pass"_a = pass.name);
+    const Message object =
+        call.object >= 0 ? object_message(scene.objects.at(static_cast<std::size_t>(call.object)).description.name)
+        : pass.subject == Subject::backdrop ? message("square")
+                                            : object_message(plane_name(pass.plane));
+    return message("{object}, pass {number}: {pass}", "object"_a = object, "number"_a = call.pass + 1,
+                   "pass"_a = pass.name);
 }
 
 DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls) {

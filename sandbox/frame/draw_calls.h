@@ -17,7 +17,7 @@ struct DrawCall {
     bool operator==(const DrawCall&) const = default;
 };
 
-/// Returns "plane", "plane 2", "plane 3", and so on.
+/// Returns "plane", "plane 2", "plane 3", and so on: in English; object_text() translates it.
 std::string plane_name(std::size_t plane);
 
 /// Returns whether a pass with this choice draws the object.
@@ -35,7 +35,7 @@ int triangles_drawn(const DrawLimit& limit, int call, int triangles);
 std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene);
 
 /// Returns a call's name, such as "box, pass 4: Objects".
-std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene);
+Message name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene);
 
 /// Returns the limit that is one triangle earlier, if necessary in an earlier call. Before the first triangle, it is
 /// {0, 0}, which draws nothing.

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "frame/plan.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -41,9 +40,9 @@ namespace {
 /// Collects calls, skipping those that change nothing.
 class Calls {
 public:
-    std::vector<std::string> list;
+    std::vector<Message> list;
 
-    void add(std::string call) { list.push_back(std::move(call)); }
+    void add(std::string call) { list.push_back(verbatim(std::move(call))); }
     void enable(const char* capability, bool on, bool was_on) {
         if (on != was_on) add((on ? "glEnable(" : "glDisable(") + std::string(capability) + ")");
     }
@@ -62,10 +61,11 @@ std::string truth(bool is_true) {
     return is_true ? "GL_TRUE" : "GL_FALSE";
 }
 
-std::string stencil_func(const Pass& pass) {
-    return "glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
-           (pass.marks_objects ? tr("each object's mark") : std::to_string(pass.stencil.reference)) + ", " +
-           mask_text(pass.stencil.read_bits) + ")";
+Message stencil_func(const Pass& pass) {
+    return listed(
+        {verbatim("glStencilFunc(" + gl_name(pass.stencil.func)),
+         pass.marks_objects ? message("each object's mark") : verbatim(std::to_string(pass.stencil.reference)),
+         verbatim(mask_text(pass.stencil.read_bits) + ")")});
 }
 
 std::string stencil_op(const Pass& pass) {
@@ -100,7 +100,7 @@ void stencil_calls(Calls& calls, const Pass& pass, const Pass& before) {
     calls.enable("GL_STENCIL_TEST", pass.stencil.test, before.stencil.test);
     if (!pass.stencil.test) return;
     const bool is_known = before.stencil.test;
-    calls.change(stencil_func(pass), stencil_func(before), is_known);
+    if (Message func = stencil_func(pass); !is_known || !(func == stencil_func(before))) calls.list.push_back(func);
     calls.change(stencil_op(pass), stencil_op(before), is_known);
     calls.change("glStencilMask(" + mask_text(pass.stencil.write_bits) + ")",
                  "glStencilMask(" + mask_text(before.stencil.write_bits) + ")", is_known);
@@ -114,8 +114,8 @@ void blend_calls(Calls& calls, const Pass& pass, const Pass& before) {
                                          : "glBlendFunc(GL_ONE, GL_ONE)");
 }
 
-std::string remark(const char* words) {
-    return std::string("  // ") + tr(words);
+Message remarked(const Message& call, const Message& remark) {
+    return listed({call, remark}, "  // ");
 }
 
 /// Returns whether the shader adds the offset: GL ignores glPolygonOffset where the fragment shader writes the depth,
@@ -124,12 +124,12 @@ bool adds_offset_in_shader(const FramePlan& frame) {
     return frame.depth_mapping == DepthMapping::logarithmic && !frame.logarithm_per_vertex;
 }
 
-std::string offset_call(const FramePlan& frame, const DepthOffset& offset) {
+Message offset_call(const FramePlan& frame, const DepthOffset& offset) {
     const std::string values = number(offset.factor) + ", " + number(offset.units) + ")";
-    return adds_offset_in_shader(frame) ? "glUniform2f(depth_offset, " + values +
-                                              remark(marked("added to gl_FragDepth, which glPolygonOffset "
-                                                            "does not change"))
-                                        : "glPolygonOffset(" + values;
+    return adds_offset_in_shader(frame)
+               ? remarked(verbatim("glUniform2f(depth_offset, " + values),
+                          message("added to gl_FragDepth, which glPolygonOffset does not change"))
+               : verbatim("glPolygonOffset(" + values);
 }
 
 void offset_calls(Calls& calls, const Pass& pass, const Pass& before, const FramePlan& frame) {
@@ -137,13 +137,13 @@ void offset_calls(Calls& calls, const Pass& pass, const Pass& before, const Fram
                       offset_before = before.offset.value_or(DepthOffset{});
     if (!adds_offset_in_shader(frame))
         calls.enable("GL_POLYGON_OFFSET_FILL", offset != DepthOffset{}, offset_before != DepthOffset{});
-    if (offset != DepthOffset{} && offset != offset_before) calls.add(offset_call(frame, offset));
+    if (offset != DepthOffset{} && offset != offset_before) calls.list.push_back(offset_call(frame, offset));
     const bool draws_decals =
         frame.has_decals && pass.subject == Subject::objects && pass.chosen != Chosen::bases && !pass.offset;
     if (!draws_decals || frame.decal_offset == DepthOffset{}) return;
-    if (!adds_offset_in_shader(frame))
-        calls.add("glEnable(GL_POLYGON_OFFSET_FILL)" + remark(marked("for decals only")));
-    calls.add(offset_call(frame, frame.decal_offset) + remark(marked("for decals only")));
+    const Message remark = message("for decals only");
+    if (!adds_offset_in_shader(frame)) calls.list.push_back(remarked("glEnable(GL_POLYGON_OFFSET_FILL)", remark));
+    calls.list.push_back(remarked(offset_call(frame, frame.decal_offset), remark));
 }
 
 void clip_calls(Calls& calls, const Pass& pass, const Pass& before) {
@@ -208,7 +208,7 @@ Pass first_gl_state() {
     return state;
 }
 
-std::vector<std::string> clear_calls(const FramePlan& frame) {
+std::vector<Message> clear_calls(const FramePlan& frame) {
     Calls calls;
     take_back(calls, frame);
     if (!frame.mask_on_while_clearing) calls.add("glDepthMask(GL_FALSE)");
@@ -219,7 +219,7 @@ std::vector<std::string> clear_calls(const FramePlan& frame) {
     return calls.list;
 }
 
-std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before) {
+std::vector<Message> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before) {
     Calls calls;
     depth_calls(calls, pass, before);
     cull_calls(calls, pass, before);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "frame/depth/fragments.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -20,7 +19,7 @@ glm::ivec2 pixel_of(const glm::dvec2& place_px) {
 
 PinnedPixel at_place(const glm::dvec2& place_px, glm::ivec2 size_px) {
     const glm::ivec2 pixel = pixel_of(place_px);
-    if (!is_inside(pixel, size_px)) return {std::nullopt, tr("The pinned pixel is outside the picture.")};
+    if (!is_inside(pixel, size_px)) return {std::nullopt, message("The pinned pixel is outside the picture.")};
     return {pixel};
 }
 
@@ -94,7 +93,7 @@ PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const Fra
         return at_place(glm::min(place, glm::dvec2(size_px) - 0.5), size_px);
     }
     const SceneObject* object = scene.find(pin.object);
-    if (!object) return {std::nullopt, say("The scene has no object {name} to pin.", "name"_a = pin.object)};
+    if (!object) return {std::nullopt, message("The scene has no object {name} to pin.", "name"_a = pin.object)};
     const std::optional<ScreenBox> box = projected_box(*object, derived.clip_from_world, size_px);
     if (box && pin.at) return at_place(box->min_px + *pin.at * (box->max_px - box->min_px), size_px);
     if (box) {
@@ -104,7 +103,7 @@ PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const Fra
         for (const glm::ivec2& pixel : candidates(*box, size_px))
             if (is_seen_at(finder, whole, pixel, size_px, pin.object)) return {pixel};
     }
-    return {std::nullopt, say("No part of the pinned object {name} is visible.", "name"_a = pin.object)};
+    return {std::nullopt, message("No part of the pinned object {name} is visible.", "name"_a = pin.object)};
 }
 
 }  // namespace viewing

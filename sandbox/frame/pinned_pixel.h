@@ -19,7 +19,7 @@ std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dma
 
 struct PinnedPixel {
     std::optional<glm::ivec2> pixel;  ///< inside the picture; none if nothing is pinned or if `why_none` gives a reason
-    std::string why_none = "";  ///< the reason why the pinned position is not visible: one sentence in the UI language
+    Message why_none = {};            ///< one sentence: the reason why the pinned position is not visible
 };
 
 /// Finds the pinned pixel in the camera's frame `plan`, for a picture of this size. An object that is pinned without a

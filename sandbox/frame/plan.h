@@ -204,12 +204,12 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
 /// Returns the GL calls, with their arguments, that change the state of the pass `before` into that of `pass`, then the
 /// call that draws `pass`, in the lecture's words. Unchanged state needs no call. first_gl_state() is the state before
 /// the first pass.
-std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
+std::vector<Message> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
 /// Returns the calls that begin a frame if the previous frame had the same plan. The first calls reset the state that
 /// the previous frame's last pass left behind.
-std::vector<std::string> clear_calls(const FramePlan& frame);
+std::vector<Message> clear_calls(const FramePlan& frame);
 
 /// Return "GL_LEQUAL" and the like.
 std::string gl_name(CompareFunc func);

@@ -106,7 +106,8 @@ void HiddenWorker::start(Job job) {
     is_dropped_ = false;
     if (!solver_) solver_ = std::make_shared<Solver>();
     task_.start([kept = solver_, job = std::move(job)](WorkProgress& progress) -> Result<Answer> {
-        if (const Status fits = check_hidden_budget(job.scene, job.question); !fits) return Error{fits.error()};
+        if (const Message refusal = beyond_hidden_budget(job.scene, job.question); !refusal.empty())
+            return Error{say(refusal)};
         if (kept->scene_version != job.scene_version) {
             kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene, &progress);
             // If the work was canceled, the solver is incomplete.

@@ -59,8 +59,8 @@ Json why_as_json(const Why& why) {
     Json rows = Json::array(), touches = Json::array();
     for (const WhyRow& row : why.rows) {
         Json json = {{"kind", kind_names[static_cast<std::size_t>(row.kind)]},
-                     {"title", row.title},
-                     {"say", on_one_line(row.sentence)}};
+                     {"title", say(row.title)},
+                     {"say", say(listed(row.sentences, " "))}};
         if (row.after) json[row.kind == WhyRow::Kind::fault ? "with_fix" : "after"] = as_text(*row.after);
         if (row.pass >= 0) json["pass"] = row.pass + 1;
         if (!row.fix.empty()) json["fix"] = row.fix;
@@ -71,8 +71,8 @@ Json why_as_json(const Why& why) {
     for (const WhyRow& row : why.rows)
         if (!row.fix.empty()) fixes.push_back(row.fix);
     return {{"pixel", as_json(why.chain.pixel)},
-            {"say", why.sentence},
-            {"wrong", why.fault.empty() ? Json() : Json(why.fault)},
+            {"say", say(why.sentence)},
+            {"wrong", why.fault.empty() ? Json() : Json(say(why.fault))},
             {"predicted", why.predicted ? Json(as_text(*why.predicted)) : Json()},
             {"read_back", why.read_back ? Json(as_text(*why.read_back)) : Json()},
             {"rounding", why.chain.is_as_rounded()},

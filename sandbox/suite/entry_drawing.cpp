@@ -83,7 +83,8 @@ Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, boo
     subject.derived = derive(wanted, subject.scene, Viewport{entry.size_px});
     if (const Status finite = check_finite(subject.derived); !finite) return Error{finite.error()};
     if (const auto question = hidden_question(wanted, subject.derived, entry.size_px))
-        if (const Status fits = check_hidden_budget(subject.scene, *question); !fits) return Error{fits.error()};
+        if (const Message refusal = beyond_hidden_budget(subject.scene, *question); !refusal.empty())
+            return Error{say(refusal)};
     return subject;
 }
 

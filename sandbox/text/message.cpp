@@ -10,12 +10,26 @@ bool Message::operator==(const Message& other) const {
     return english_ == other.english_ && values_ == other.values_;
 }
 
+namespace {
+
+std::string text_of(const Message::Value& value) {
+    using Form = Message::Value::Form;
+    const auto is_small = [](char letter) { return letter >= 'a' && letter <= 'z'; };
+    std::string said = value.form == Form::object ? object_text(value.text) : value.text;
+    for (const Message& part : value.list) {
+        if (&part != &value.list.front()) said += value.between;
+        said += say(part);
+    }
+    if (value.form == Form::begun && said.size() > 1 && is_small(said[0]) && is_small(said[1]))
+        said[0] = static_cast<char>(said[0] - 'a' + 'A');
+    return value.form == Form::ended && !said.ends_with('.') ? said + "." : said;
+}
+
+}  // namespace
+
 std::vector<std::pair<std::string, std::string>> Message::said_values() const {
     std::vector<std::pair<std::string, std::string>> all;
-    for (const Value& value : values_) {
-        std::string& said = all.emplace_back(value.name, value.is_object ? object_text(value.text) : value.text).second;
-        for (const Message& part : value.list) said += (said.empty() ? "" : ", ") + say(part);
-    }
+    for (const Value& value : values_) all.emplace_back(value.name, text_of(value));
     return all;
 }
 
@@ -27,11 +41,23 @@ std::string say(const Message& message) {
 }
 
 Message object_message(std::string_view name) {
-    return {"{object}", {{"object", std::string(name), {}, true}}};
+    return {"{all}", {{"all", std::string(name), {}, "", Message::Value::Form::object}}};
 }
 
-Message listed(const std::vector<Message>& messages) {
-    return messages.empty() ? Message() : Message("{all}", {{"all", "", messages}});
+Message verbatim(std::string text) {
+    return {"{all}", {{"all", std::move(text)}}};
+}
+
+Message listed(const std::vector<Message>& messages, std::string_view between) {
+    return messages.empty() ? Message() : Message("{all}", {{"all", "", messages, between}});
+}
+
+Message begun(const Message& message) {
+    return {"{all}", {{"all", "", {message}, "", Message::Value::Form::begun}}};
+}
+
+Message ended(const Message& message) {
+    return {"{all}", {{"all", "", {message}, "", Message::Value::Form::ended}}};
 }
 
 }  // namespace viewing

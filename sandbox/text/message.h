@@ -41,33 +41,56 @@ private:
 
 /// A placeholder's name, and what replaces it: a text, the name of an object, or a list of messages.
 struct Message::Value {
+    enum class Form { as_it_is, object, begun, ended };
+
     std::string name, text;
     std::vector<Message> list{};  ///< if not empty, used instead of `text`
-    bool is_object = false;
+    std::string_view between = ", ";
+    Form form = Form::as_it_is;
     bool operator==(const Value&) const = default;
 };
 
 /// Returns the message in the current language.
 std::string say(const Message& message);
 
+template <typename T>
+Message::Value message_value(const char* name, const T& said) {
+    if constexpr (std::is_same_v<T, Message>)
+        return {name, "", {said}};
+    else
+        return {name, fmt::to_string(said)};
+}
+
 /// The compiler checks that each placeholder has a value, as in say().
 template <typename... Values>
 Message message(fmt::format_string<Values...> english, Values&&... values) {
-    [[maybe_unused]] const auto value = []<typename T>(const char* name, const T& said) {
-        if constexpr (std::is_same_v<T, Message>)
-            return Message::Value{name, "", {said}};
-        else
-            return Message::Value{name, fmt::to_string(said)};
-    };
     const fmt::string_view id = english;
-    return {std::string_view(id.data(), id.size()), {value(values.name, values.value)...}};
+    return {std::string_view(id.data(), id.size()), {message_value(values.name, values.value)...}};
+}
+
+/// The message of say_count().
+template <typename... Values>
+Message message_count(std::int64_t count, fmt::format_string<CountValue, Values...> one,
+                      fmt::format_string<CountValue, Values...> many, Values&&... values) {
+    const fmt::string_view id = count == 1 ? one : many;
+    return {std::string_view(id.data(), id.size()),
+            {message_value("count", grouped_number(count)), message_value(values.name, values.value)...}};
 }
 
 /// Returns a message that say() turns into object_text(name).
 Message object_message(std::string_view name);
 
-/// Returns the message "a, b"; an empty one if there are none.
-Message listed(const std::vector<Message>& messages);
+/// Returns a message that is the same in every language.
+Message verbatim(std::string text);
+
+/// Returns the message "a, b"; an empty one if there are none. `between` must live as long as the program.
+Message listed(const std::vector<Message>& messages, std::string_view between = ", ");
+
+/// Returns the message with a capital first letter; "n·ℓ" at its start stays as it is.
+Message begun(const Message& message);
+
+/// Returns the message with a period at its end.
+Message ended(const Message& message);
 
 }  // namespace viewing
 

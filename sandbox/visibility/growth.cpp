@@ -144,7 +144,7 @@ private:
 
     Message not_tried(const Candidate& candidate, GrowthMethod method, int count) const {
         const Message from = polygons_message(count), many = polygons_message(candidate.too_many);
-        const Message name = Message(growth_method_name(method), {});
+        const Message name(growth_method_name(method), {});
         switch (candidate.too_much) {
             case TooMuch::polygons:
                 return message(

@@ -91,10 +91,10 @@ std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int p
 
 /// Says in two or three sentences which method does the least work for which counts, and how work grows at the end of
 /// the curves; empty if no method wins.
-std::string growth_summary(std::span<const GrowthRow> rows);
+Message growth_summary(std::span<const GrowthRow> rows);
 
 /// Says how long the always-correct methods took at the largest count that all of them finished, with the spread of the
 /// runs; empty if there is no such count.
-std::string growth_times(std::span<const GrowthRow> rows);
+Message growth_times(std::span<const GrowthRow> rows);
 
 }  // namespace viewing

@@ -57,19 +57,19 @@ std::vector<Reign> reigns_of(std::span<const GrowthRow> rows) {
 }
 
 /// Returns one entry in the list of all winners: "ray casting up to 30 polygons".
-std::string reign_text(const Reign& reign, std::span<const Reign> all) {
-    const std::string_view name = tr_part(growth_method_name(reign.method));
+Message reign_text(const Reign& reign, std::span<const Reign> all) {
+    const Message name(growth_method_name(reign.method), {});
     const std::string first = grouped_number(reign.first);
     if (all.size() > 1 && &reign == &all.front())
-        return say_count(reign.last, "{method} up to {count} polygon", "{method} up to {count} polygons",
-                         "method"_a = name);
+        return message_count(reign.last, "{method} up to {count} polygon", "{method} up to {count} polygons",
+                             "method"_a = name);
     if (all.size() > 1 && &reign == &all.back())
-        return say("{method} for {first} or more", "method"_a = name, "first"_a = first);
+        return message("{method} for {first} or more", "method"_a = name, "first"_a = first);
     if (reign.first == reign.last)
-        return say_count(reign.last, "{method} with {count} polygon", "{method} with {count} polygons",
-                         "method"_a = name);
-    return say("{method} from {first} to {last} polygons", "method"_a = name, "first"_a = first,
-               "last"_a = grouped_number(reign.last));
+        return message_count(reign.last, "{method} with {count} polygon", "{method} with {count} polygons",
+                             "method"_a = name);
+    return message("{method} from {first} to {last} polygons", "method"_a = name, "first"_a = first,
+                   "last"_a = grouped_number(reign.last));
 }
 
 /// Returns the factor by which the work grows if there are ten times as many polygons. Uses the method's last row
@@ -87,20 +87,21 @@ std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMeth
     return std::pow(static_cast<double>(last->work()) / static_cast<double>(before->work()), 1.0 / decades);
 }
 
-std::string growth_of_work(std::span<const GrowthRow> rows) {
-    std::string list;
+Message growth_of_work(std::span<const GrowthRow> rows) {
+    std::vector<Message> list;
     for (std::size_t i = 0; i < growth_method_count; ++i) {
         const auto method = static_cast<GrowthMethod>(i);
         const auto factor = tenfold_factor(rows, method);
         if (!factor) continue;
         const std::string times = grouped_number(std::llround(*factor));
-        const std::string_view name = tr_part(growth_method_name(method));
-        list += list.empty() ? say("by a factor of {times} for {method}", "times"_a = times, "method"_a = name)
-                             : ", " + say("by {times} for {method}", "times"_a = times, "method"_a = name);
+        const Message name(growth_method_name(method), {});
+        list.push_back(list.empty()
+                           ? message("by a factor of {times} for {method}", "times"_a = times, "method"_a = name)
+                           : message("by {times} for {method}", "times"_a = times, "method"_a = name));
     }
-    if (list.empty()) return "";
-    return say("At the end of the curves, ten times as many polygons multiply the number of operations {list}.",
-               "list"_a = list);
+    if (list.empty()) return {};
+    return message("At the end of the curves, ten times as many polygons multiply the number of operations {list}.",
+                   "list"_a = listed(list));
 }
 
 }  // namespace
@@ -145,22 +146,22 @@ std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int p
     return least != nullptr ? std::optional(least->method) : std::nullopt;
 }
 
-std::string growth_summary(std::span<const GrowthRow> rows) {
+Message growth_summary(std::span<const GrowthRow> rows) {
     const std::vector<Reign> reigns = reigns_of(rows);
     if (reigns.empty()) return {};
-    std::string list;
-    for (const Reign& reign : reigns) list += (list.empty() ? "" : ", ") + reign_text(reign, reigns);
-    std::string text =
-        say("Methods with the fewest operations, painting included, among those that are always correct: {list}.",
-            "list"_a = list);
+    std::vector<Message> list;
+    for (const Reign& reign : reigns) list.push_back(reign_text(reign, reigns));
+    std::vector<Message> sentences{
+        message("Methods with the fewest operations, painting included, among those that are always correct: {list}.",
+                "list"_a = listed(list))};
     const bool walk_wins = std::any_of(reigns.begin(), reigns.end(),
                                        [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
-    if (walk_wins) text += std::string(" ") + tr("One tree, built in advance, serves every eye position.");
-    const std::string growth = growth_of_work(rows);
-    return growth.empty() ? text : text + " " + growth;
+    if (walk_wins) sentences.push_back(message("One tree, built in advance, serves every eye position."));
+    if (Message growth = growth_of_work(rows); !growth.empty()) sentences.push_back(std::move(growth));
+    return listed(sentences, " ");
 }
 
-std::string growth_times(std::span<const GrowthRow> rows) {
+Message growth_times(std::span<const GrowthRow> rows) {
     int count = 0;
     for (const GrowthRow& row : rows) {
         const auto has_row = [&](GrowthMethod method) {
@@ -170,20 +171,19 @@ std::string growth_times(std::span<const GrowthRow> rows) {
             has_row(GrowthMethod::ray_casting))
             count = std::max(count, row.polygons);
     }
-    if (count == 0) return "";
-    std::string list;
+    if (count == 0) return {};
+    std::vector<Message> list;
     for (std::size_t i = 0; i < growth_method_count; ++i) {
         const auto method = static_cast<GrowthMethod>(i);
         const GrowthRow* row = is_always_right(method) ? sound_row(rows, method, count) : nullptr;
         if (row == nullptr) continue;
-        const std::string time =
-            say("{method} {time} ms ({least} to {most})", "method"_a = tr_part(growth_method_name(method)),
-                "time"_a = figures(row->time_ms, 2), "least"_a = figures(row->time_least_ms, 2),
-                "most"_a = figures(row->time_most_ms, 2));
-        list += (list.empty() ? "" : ", ") + time;
+        list.push_back(message("{method} {time} ms ({least} to {most})",
+                               "method"_a = Message(growth_method_name(method), {}),
+                               "time"_a = figures(row->time_ms, 2), "least"_a = figures(row->time_least_ms, 2),
+                               "most"_a = figures(row->time_most_ms, 2)));
     }
-    return say_count(count, "Median times of several runs with {count} polygon: {list}.",
-                     "Median times of several runs with {count} polygons: {list}.", "list"_a = list);
+    return message_count(count, "Median times of several runs with {count} polygon: {list}.",
+                         "Median times of several runs with {count} polygons: {list}.", "list"_a = listed(list));
 }
 
 }  // namespace viewing

@@ -312,7 +312,7 @@ public:
 void print_curves(GrowthScene scene, const char* title) {
     const std::vector<GrowthRow> rows = measure_growth({.scene = scene});
     std::printf("%s\n%s%s\n", title, growth_csv(rows).c_str(),
-                (growth_summary(rows) + " " + growth_times(rows)).c_str());
+                (say(growth_summary(rows)) + " " + say(growth_times(rows))).c_str());
 }
 
 }  // namespace

@@ -238,10 +238,11 @@ TEST_F(WhyThisPixel, TellsOnlyTheFightThatDecidesWhatIsSeen) {
                     if (row.kind != WhyRow::Kind::fight) continue;
                     ++fights[name];
                     ASSERT_TRUE(surface);
-                    EXPECT_NE(row.sentence.find(surface_name(question, surface->fragment.object_index)),
+                    const std::string sentence = say(row.sentences.front());
+                    EXPECT_NE(sentence.find(say(surface_name(question, surface->fragment.object_index))),
                               std::string::npos)
-                        << name << " " << x << ", " << y << ": " << row.sentence;
-                    EXPECT_EQ(row.sentence.starts_with("the shadow of "), name == "shadow-fights") << row.sentence;
+                        << name << " " << x << ", " << y << ": " << sentence;
+                    EXPECT_EQ(sentence.starts_with("the shadow of "), name == "shadow-fights") << sentence;
                 }
             }
     }
@@ -267,7 +268,8 @@ TEST_F(WhyThisPixel, AMirrorRowSaysWhereAnImageBelongs) {
                 for (const WhyRow& row : why({params, derived, frame, finder, viewport, {}, {x, y}}).rows) {
                     if (row.kind != WhyRow::Kind::mirror) continue;
                     ++rows[name];
-                    elsewhere[name] += row.sentence.find("belongs at pixel") != std::string::npos ? 1 : 0;
+                    const bool is_elsewhere = say(row.sentences.front()).find("belongs at pixel") != std::string::npos;
+                    elsewhere[name] += is_elsewhere ? 1 : 0;
                 }
         EXPECT_GT(rows[name], 20) << name;
         const bool has_other_lens = params.reflection.fovy != 0.0 || !params.reflection.same_projection;

@@ -181,7 +181,7 @@ TEST_F(PixelView, ListsSurfacesAndTestsAndMarksTheVisibleOne) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const TestText test = test_text(expected[i], {24, false});
         const bool is_seen = static_cast<int>(i) == seen_fragment(expected);
-        EXPECT_TRUE(ui.has("pixel/" + std::to_string(i + 1) + " " + expected[i].object + ": " + test.whole() +
+        EXPECT_TRUE(ui.has("pixel/" + std::to_string(i + 1) + " " + expected[i].object + ": " + say(test.whole()) +
                            (is_seen ? ", seen" : "")));
     }
     EXPECT_EQ(labels_with(", seen").size(), 1U);

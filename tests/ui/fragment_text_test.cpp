@@ -71,36 +71,36 @@ TEST(FragmentText, FloatsLookEqualOnlyWhenTheyAreEqual) {
 // ---- how the tests treat a fragment ------------------------------------------------------------------------
 
 TEST(FragmentText, EveryTestHasASentence) {
-    EXPECT_EQ(test_text(fragment(15'955'400, 16'777'215), bits_24).whole(), "15,955,400 < 16,777,215  passes");
-    EXPECT_EQ(test_text(fragment(9, 7), bits_8).whole(), "9 < 7  fails");
-    EXPECT_EQ(test_text(fragment(812, 812), bits_24).whole(), "812 < 812  tie: fails");
-    EXPECT_EQ(test_text(fragment(812, 812, CompareFunc::lequal), bits_24).whole(), "812 ≤ 812  tie: passes");
-    EXPECT_EQ(test_text(fragment(812, 812, CompareFunc::always), bits_24).whole(), "GL_ALWAYS  passes");
-    EXPECT_EQ(test_text(fragment(8, 812, CompareFunc::never), bits_24).whole(), "GL_NEVER  fails");
+    EXPECT_EQ(say(test_text(fragment(15'955'400, 16'777'215), bits_24).whole()), "15,955,400 < 16,777,215  passes");
+    EXPECT_EQ(say(test_text(fragment(9, 7), bits_8).whole()), "9 < 7  fails");
+    EXPECT_EQ(say(test_text(fragment(812, 812), bits_24).whole()), "812 < 812  tie: fails");
+    EXPECT_EQ(say(test_text(fragment(812, 812, CompareFunc::lequal), bits_24).whole()), "812 ≤ 812  tie: passes");
+    EXPECT_EQ(say(test_text(fragment(812, 812, CompareFunc::always), bits_24).whole()), "GL_ALWAYS  passes");
+    EXPECT_EQ(say(test_text(fragment(8, 812, CompareFunc::never), bits_24).whole()), "GL_NEVER  fails");
 
     Fragment rounded = fragment(813, 812);
     rounded.decided_by_rounding = true;
-    EXPECT_EQ(test_text(rounded, bits_24).whole(), "rounding decides  fails");
-    EXPECT_EQ(decision_sentence(rounded, bits_24),
+    EXPECT_EQ(say(test_text(rounded, bits_24).whole()), "rounding decides  fails");
+    EXPECT_EQ(say(decision_sentence(rounded, bits_24)),
               "box, triangle 3: GL's rounding decides here, so the pixel is unchanged.");
     rounded.passes = rounded.drawn = true;
-    EXPECT_EQ(test_text(rounded, bits_24).whole(), "rounding decides  passes");
+    EXPECT_EQ(say(test_text(rounded, bits_24).whole()), "rounding decides  passes");
 
     Fragment other = fragment(8, 812);
     other.drawn = false;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "8 < 812  passes, no color");
+    EXPECT_EQ(say(test_text(other, bits_24).whole()), "8 < 812  passes, no color");
     other = fragment(8, 812);
     other.stencil_fails = true;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "stencil fails");
+    EXPECT_EQ(say(test_text(other, bits_24).whole()), "stencil fails");
     other.culled = true;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "culled");
+    EXPECT_EQ(say(test_text(other, bits_24).whole()), "culled");
     other = fragment(900, 812);
     other.depth.test = false;
     other.is_sent = false;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "not sent");
+    EXPECT_EQ(say(test_text(other, bits_24).whole()), "not sent");
     other.is_sent = true;
     other.passes = other.drawn = true;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "depth test off  drawn");
+    EXPECT_EQ(say(test_text(other, bits_24).whole()), "depth test off  drawn");
 }
 
 TEST(FragmentText, TheLastDrawnFragmentIsVisible) {
@@ -109,46 +109,50 @@ TEST(FragmentText, TheLastDrawnFragmentIsVisible) {
     EXPECT_EQ(seen_fragment({fragment(9, 15), fragment(5, 9), fragment(7, 5)}), 1);
 }
 
+std::string said_of(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
+                    const DepthPrecision& precision) {
+    return say(cell_sentence(incoming, before, after, precision));
+}
+
 TEST(FragmentText, ACellsSentenceDescribesWhatHappensToIt) {
     BufferCell before, after;
     before.stored = 15;
     after.stored = 9;
-    EXPECT_EQ(cell_sentence(fragment(9, 15), before, after, bits_8),
+    EXPECT_EQ(said_of(fragment(9, 15), before, after, bits_8),
               "box, triangle 3: 9 < 15, so color and depth are replaced.");
-    EXPECT_EQ(cell_sentence({}, before, before, bits_8), "This triangle does not cover the pixel.");
-    EXPECT_EQ(cell_sentence({}, before, after, bits_8), "This triangle changes color and depth.");
+    EXPECT_EQ(said_of({}, before, before, bits_8), "This triangle does not cover the pixel.");
+    EXPECT_EQ(said_of({}, before, after, bits_8), "This triangle changes color and depth.");
     before.stored = 7;
-    EXPECT_EQ(cell_sentence(fragment(9, 15), before, before, bits_8),
+    EXPECT_EQ(said_of(fragment(9, 15), before, before, bits_8),
               "box, triangle 3: 9 < 7 is false, so the pixel is unchanged.")
         << "the code that was read back counts";
     before.stored = 9;
-    EXPECT_EQ(cell_sentence(fragment(9, 15), before, before, bits_8),
+    EXPECT_EQ(said_of(fragment(9, 15), before, before, bits_8),
               "box, triangle 3: 9 < 9 is false (a tie), so the pixel is unchanged.");
 
     Fragment sent = fragment(9, 15);
     sent.depth.write = false;
     before.stored = 15;
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+    EXPECT_EQ(said_of(sent, before, before, bits_8),
               "box, triangle 3: 9 < 15, so the color is replaced; the mask keeps the depth.");
     sent = fragment(9, 15);
     sent.drawn = false;
-    EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
+    EXPECT_EQ(said_of(sent, before, after, bits_8),
               "box, triangle 3: 9 < 15, so the depth is replaced but the color is not.");
     sent = fragment(9, 15, CompareFunc::always);
-    EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
-              "box, triangle 3: GL_ALWAYS, so color and depth are replaced.");
+    EXPECT_EQ(said_of(sent, before, after, bits_8), "box, triangle 3: GL_ALWAYS, so color and depth are replaced.");
     sent = fragment(9, 15, CompareFunc::never);
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8), "box, triangle 3: GL_NEVER, so the pixel is unchanged.");
+    EXPECT_EQ(said_of(sent, before, before, bits_8), "box, triangle 3: GL_NEVER, so the pixel is unchanged.");
     sent.stencil_fails = true;
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+    EXPECT_EQ(said_of(sent, before, before, bits_8),
               "box, triangle 3: the stencil test fails, so the pixel is unchanged.");
     sent.culled = true;
     sent.front_facing = false;
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8), "box, triangle 3 is culled: it is back-facing.");
+    EXPECT_EQ(said_of(sent, before, before, bits_8), "box, triangle 3 is culled: it is back-facing.");
     sent = fragment(20, 15);
     sent.depth.test = false;
     sent.passes = sent.drawn = true;
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+    EXPECT_EQ(said_of(sent, before, before, bits_8),
               "box, triangle 3: the depth test is off, so the color is replaced but the depth is not.");
 }
 
@@ -159,33 +163,32 @@ TEST(FragmentText, ChangesInTheCellDecideTheSentence) {
     other_color.color = other.color = {1, 2, 3};
     // According to the computation, the fragment fails, but the cell changes, so the code that is read back must have
     // passed.
-    EXPECT_EQ(cell_sentence(fragment(16, 15), before, other, bits_8),
+    EXPECT_EQ(said_of(fragment(16, 15), before, other, bits_8),
               "box, triangle 3: 14 < 15, so color and depth are replaced.");
-    EXPECT_EQ(cell_sentence(fragment(16, 15), before, other_code, bits_8),
+    EXPECT_EQ(said_of(fragment(16, 15), before, other_code, bits_8),
               "box, triangle 3: 14 < 15, so color and depth are replaced.");
     // According to the computation, the fragment passes, but nothing changes.
-    EXPECT_EQ(cell_sentence(fragment(13, 15), before, before, bits_8),
+    EXPECT_EQ(said_of(fragment(13, 15), before, before, bits_8),
               "box, triangle 3: GL's rounding decides here, so the pixel is unchanged.");
     // The code stays the same, but the color changes.
-    EXPECT_EQ(cell_sentence(fragment(15, 15, CompareFunc::lequal), before, other_color, bits_8),
+    EXPECT_EQ(said_of(fragment(15, 15, CompareFunc::lequal), before, other_color, bits_8),
               "box, triangle 3: 15 ≤ 15, so color and depth are replaced.");
-    EXPECT_EQ(cell_sentence(fragment(15, 15), before, other_color, bits_8),
+    EXPECT_EQ(said_of(fragment(15, 15), before, other_color, bits_8),
               "box, triangle 3: GL's rounding decides here, so color and depth are replaced.");
     // Without the depth mask there is no new code to read back.
     Fragment masked = fragment(16, 15);
     masked.depth.write = false;
-    EXPECT_EQ(cell_sentence(masked, before, other_color, bits_8),
+    EXPECT_EQ(said_of(masked, before, other_color, bits_8),
               "box, triangle 3: GL's rounding decides here, so the color is replaced; the mask keeps the depth.");
     // A fragment that cannot have changed the cell is not mentioned.
-    EXPECT_EQ(cell_sentence(masked, before, other, bits_8), "This triangle changes color and depth.");
+    EXPECT_EQ(said_of(masked, before, other, bits_8), "This triangle changes color and depth.");
     Fragment culled = fragment(14, 15);
     culled.culled = true;
-    EXPECT_EQ(cell_sentence(culled, before, other_color, bits_8), "This triangle changes the color but not the depth.");
-    EXPECT_NE(cell_sentence(culled, before, before, bits_8).find("is culled"), std::string::npos);
+    EXPECT_EQ(said_of(culled, before, other_color, bits_8), "This triangle changes the color but not the depth.");
+    EXPECT_NE(said_of(culled, before, before, bits_8).find("is culled"), std::string::npos);
     Fragment untested = fragment(14, 15);
     untested.depth.test = untested.passes = untested.drawn = false;
-    EXPECT_EQ(cell_sentence(untested, before, other_color, bits_8),
-              "This triangle changes the color but not the depth.");
+    EXPECT_EQ(said_of(untested, before, other_color, bits_8), "This triangle changes the color but not the depth.");
 }
 
 // ---- numbers in cells -------------------------------------------------------------------------------------

@@ -42,7 +42,7 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
     std::set<GrowthMethod> methods;
     for (const GrowthRow& row : rows()) methods.insert(row.method);
     EXPECT_EQ(methods.size(), growth_method_count);
-    EXPECT_TRUE(says(growth_summary(rows())));
+    EXPECT_TRUE(says(say(growth_summary(rows()))));
     EXPECT_TRUE(ui.has("lower/chart/marker"));
     EXPECT_TRUE(ui.find("lower/Save CSV").enabled);
     ui.click("lower/operations");

@@ -2,7 +2,6 @@
 
 #include "frame/depth/decals.h"
 #include "frame/depth/near_advice.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -11,15 +10,15 @@ Cure near_for_what_is_seen(const Params& params, const Derived& derived, const S
     Cure cure{CureKind::near, {}, {}, params};
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
     cure.params.projection.near = largest_near(seen).value_or(params.projection.near);
-    cure.name = say("near {near}", "near"_a = figures(cure.params.projection.near, 3));
-    cure.explanation =
-        tr("The near plane, moved as far away as the view allows: to nine tenths of the nearest visible distance.");
+    cure.name = message("near {near}", "near"_a = figures(cure.params.projection.near, 3));
+    cure.explanation = message(
+        "The near plane, moved as far away as the view allows: to nine tenths of the nearest visible distance.");
     return cure;
 }
 
-Cure with_mapping(const Params& params, CureKind kind, DepthMapping mapping, DepthFormat format, const char* name,
-                  const char* explanation) {
-    Cure cure{kind, name, explanation, params};
+Cure with_mapping(const Params& params, CureKind kind, DepthMapping mapping, DepthFormat format, Message name,
+                  Message explanation) {
+    Cure cure{kind, std::move(name), std::move(explanation), params};
     DepthParams& depth = cure.params.depth;
     depth.mapping = mapping;
     depth.format = format;
@@ -29,8 +28,8 @@ Cure with_mapping(const Params& params, CureKind kind, DepthMapping mapping, Dep
     return cure;
 }
 
-Cure for_decals(const Params& params, CureKind kind, DecalMethod method, const char* name, const char* explanation) {
-    Cure cure{kind, name, explanation, params};
+Cure for_decals(const Params& params, CureKind kind, DecalMethod method, Message name, Message explanation) {
+    Cure cure{kind, std::move(name), std::move(explanation), params};
     cure.params.depth.decals = method;
     if (method == DecalMethod::offset) {
         cure.params.depth.offset = {-1.0, -1.0};
@@ -45,24 +44,28 @@ std::vector<Cure> cures(const Params& params, const Derived& derived, const Scen
     const DepthFormat format = params.depth.format == DepthFormat::d32f ? DepthFormat::d24 : params.depth.format;
     std::vector<Cure> all{
         near_for_what_is_seen(params, derived, scene),
-        with_mapping(params, CureKind::float_format, DepthMapping::standard, DepthFormat::d32f, tr("float"),
-                     tr("Standard depth as a 32-bit float. It is finest near 0, at the near plane; near 1, where most "
-                        "visible surfaces lie, it is no finer than 24 bits.")),
-        with_mapping(params, CureKind::reversed_float, DepthMapping::reversed, DepthFormat::d32f, tr("reversed"),
-                     tr("Reversed depth as a 32-bit float, clip range 0 … 1: the finest steps, those near 0, fall on "
-                        "large distances.")),
-        with_mapping(params, CureKind::logarithmic, DepthMapping::logarithmic, format, tr("log"),
-                     tr("Logarithmic depth: the same number of codes for each tenfold increase in distance.")),
+        with_mapping(
+            params, CureKind::float_format, DepthMapping::standard, DepthFormat::d32f, message("float"),
+            message("Standard depth as a 32-bit float. It is finest near 0, at the near plane; near 1, where most "
+                    "visible surfaces lie, it is no finer than 24 bits.")),
+        with_mapping(
+            params, CureKind::reversed_float, DepthMapping::reversed, DepthFormat::d32f, message("reversed"),
+            message("Reversed depth as a 32-bit float, clip range 0 … 1: the finest steps, those near 0, fall on "
+                    "large distances.")),
+        with_mapping(params, CureKind::logarithmic, DepthMapping::logarithmic, format, message("log"),
+                     message("Logarithmic depth: the same number of codes for each tenfold increase in distance.")),
     };
     if (!has_decals(scene)) return all;
-    all.push_back(for_decals(params, CureKind::offset, DecalMethod::offset, tr("offset"),
-                             tr("glPolygonOffset(−1, −1) for the surface on top.")));
-    all.push_back(for_decals(params, CureKind::equal, DecalMethod::equal, "GL_EQUAL",
-                             tr("The surface on top is drawn last, where its depth equals that of the surface below: "
-                                "this works only for identical triangles without a gap.")));
-    all.push_back(for_decals(params, CureKind::stencil, DecalMethod::stencil, tr("stencil"),
-                             tr("The surface below marks its pixels; the one on top is drawn only there, without a "
-                                "depth test, so any part that sticks out is lost.")));
+    all.push_back(for_decals(params, CureKind::offset, DecalMethod::offset, message("offset"),
+                             message("glPolygonOffset(−1, −1) for the surface on top.")));
+    all.push_back(
+        for_decals(params, CureKind::equal, DecalMethod::equal, "GL_EQUAL",
+                   message("The surface on top is drawn last, where its depth equals that of the surface below: "
+                           "this works only for identical triangles without a gap.")));
+    all.push_back(
+        for_decals(params, CureKind::stencil, DecalMethod::stencil, message("stencil"),
+                   message("The surface below marks its pixels; the one on top is drawn only there, without a "
+                           "depth test, so any part that sticks out is lost.")));
     return all;
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "frame/derive.h"
+#include "text/message.h"
 
 namespace viewing {
 
@@ -14,9 +14,9 @@ enum class CureKind { near, float_format, reversed_float, logarithmic, offset, e
 
 struct Cure {
     CureKind kind = CureKind::near;
-    std::string name;         ///< short: "near 3.4"
-    std::string explanation;  ///< its setting, in a sentence or two
-    Params params;            ///< the state with the cure applied; unchanged if the state already has it
+    Message name;         ///< short: "near 3.4"
+    Message explanation;  ///< its setting, in a sentence or two
+    Params params;        ///< the state with the cure applied; unchanged if the state already has it
 };
 
 /// Returns the cures in the order of CureKind, without those for decals if the scene has none. The cure that changes

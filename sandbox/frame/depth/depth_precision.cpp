@@ -4,8 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "text/catalogue.h"
-
 namespace viewing {
 namespace {
 
@@ -68,16 +66,16 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived) {
     return curves;
 }
 
-std::string short_name(DepthFormat format, DepthMapping mapping) {
+Message short_name(DepthFormat format, DepthMapping mapping) {
     const DepthPrecision precision = precision_of(format);
-    const std::string bits = precision.is_float ? tr("float") : std::to_string(precision.bits);
+    const Message bits = precision.is_float ? message("float") : verbatim(std::to_string(precision.bits));
     switch (mapping) {
         case DepthMapping::standard:
-            return precision.is_float ? bits : say("{bits} bit", "bits"_a = bits);
+            return precision.is_float ? bits : message("{bits} bit", "bits"_a = bits);
         case DepthMapping::reversed:
-            return say("{format} rev", "format"_a = bits);
+            return message("{format} rev", "format"_a = bits);
         case DepthMapping::logarithmic:
-            return say("{format} log", "format"_a = bits);
+            return message("{format} log", "format"_a = bits);
     }
     return bits;
 }
@@ -97,21 +95,21 @@ DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecis
     return made;
 }
 
-std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision) {
+Message codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision) {
     if (!precision.is_float)
-        return say("Half of all codes lie between near and z = {z}.",
-                   "z"_a = figures(distance_of_window_depth(lens, mapping, 0.5), 3));
+        return message("Half of all codes lie between near and z = {z}.",
+                       "z"_a = figures(distance_of_window_depth(lens, mapping, 0.5), 3));
     const double middle = 0.5 * (lens.near + lens.shown_far());
     const std::uint32_t code =
         std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(window_depth(lens, mapping, middle), 0.0, 1.0)));
     const std::uint32_t farther = mapping == DepthMapping::reversed ? code : code_of_one - code;
     if (lens.is_infinite())
-        return say("Of the {all} floats from 0 to 1, {farther} lie beyond z = {z}.",
-                   "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
-                   "z"_a = figures(middle, 3));
-    return say("Of the {all} floats from 0 to 1, {farther} lie in the farther half of the distance, beyond z = {z}.",
-               "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
-               "z"_a = figures(middle, 3));
+        return message("Of the {all} floats from 0 to 1, {farther} lie beyond z = {z}.",
+                       "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
+                       "z"_a = figures(middle, 3));
+    return message(
+        "Of the {all} floats from 0 to 1, {farther} lie in the farther half of the distance, beyond z = {z}.",
+        "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther), "z"_a = figures(middle, 3));
 }
 
 }  // namespace viewing

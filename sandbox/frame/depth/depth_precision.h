@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "frame/depth/fighting.h"
+#include "text/message.h"
 
 namespace viewing {
 
@@ -32,7 +32,7 @@ struct PrecisionCurves {
 PrecisionCurves precision_curves(const Params& params, const Derived& derived);
 
 /// Returns a curve's name: "24 bit", "24 rev", "float log".
-std::string short_name(DepthFormat format, DepthMapping mapping);
+Message short_name(DepthFormat format, DepthMapping mapping);
 
 /// Evenly spaced codes (up to rounding), from the near plane's code to the far plane's.
 struct DepthCodes {
@@ -47,6 +47,6 @@ struct DepthCodes {
 DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, int most_ticks);
 
 /// States where half of the codes lie or, for a float format, how many lie in the farther half of the range.
-std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision);
+Message codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision);
 
 }  // namespace viewing

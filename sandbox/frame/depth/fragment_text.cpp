@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "state/compare.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -54,39 +53,41 @@ bool asks_nothing(CompareFunc func) {
 }
 
 /// Describes the effect on color and depth if GL's rounding decides.
-std::string rounding_sentence(const Fragment& fragment, const std::string& name) {
+Message rounding_sentence(const Fragment& fragment, const Message& name) {
     if (!fragment.passes)
-        return say("{fragment}: GL's rounding decides here, so the pixel is unchanged.", "fragment"_a = name);
+        return message("{fragment}: GL's rounding decides here, so the pixel is unchanged.", "fragment"_a = name);
     if (!fragment.depth.write && fragment.drawn)
-        return say("{fragment}: GL's rounding decides here, so the color is replaced; the mask keeps the depth.",
-                   "fragment"_a = name);
+        return message("{fragment}: GL's rounding decides here, so the color is replaced; the mask keeps the depth.",
+                       "fragment"_a = name);
     if (!fragment.depth.write)
-        return say("{fragment}: GL's rounding decides here, so nothing is written.", "fragment"_a = name);
+        return message("{fragment}: GL's rounding decides here, so nothing is written.", "fragment"_a = name);
     return fragment.drawn
-               ? say("{fragment}: GL's rounding decides here, so color and depth are replaced.", "fragment"_a = name)
-               : say("{fragment}: GL's rounding decides here, so the depth is replaced but the color is not.",
-                     "fragment"_a = name);
+               ? message("{fragment}: GL's rounding decides here, so color and depth are replaced.",
+                         "fragment"_a = name)
+               : message("{fragment}: GL's rounding decides here, so the depth is replaced but the color is not.",
+                         "fragment"_a = name);
 }
 
 /// Describes the effect on color and depth if the comparison decides.
-std::string compare_decision(const Fragment& fragment, const std::string& name, const std::string& asked) {
+Message compare_decision(const Fragment& fragment, const Message& name, const std::string& asked) {
     if (!fragment.passes) {
         if (asks_nothing(fragment.depth.func))
-            return say("{fragment}: {compare}, so the pixel is unchanged.", "fragment"_a = name, "compare"_a = asked);
-        return fragment.tie ? say("{fragment}: {compare} is false (a tie), so the pixel is unchanged.",
-                                  "fragment"_a = name, "compare"_a = asked)
-                            : say("{fragment}: {compare} is false, so the pixel is unchanged.", "fragment"_a = name,
-                                  "compare"_a = asked);
+            return message("{fragment}: {compare}, so the pixel is unchanged.", "fragment"_a = name,
+                           "compare"_a = asked);
+        return fragment.tie ? message("{fragment}: {compare} is false (a tie), so the pixel is unchanged.",
+                                      "fragment"_a = name, "compare"_a = asked)
+                            : message("{fragment}: {compare} is false, so the pixel is unchanged.", "fragment"_a = name,
+                                      "compare"_a = asked);
     }
     if (!fragment.depth.write && fragment.drawn)
-        return say("{fragment}: {compare}, so the color is replaced; the mask keeps the depth.", "fragment"_a = name,
-                   "compare"_a = asked);
+        return message("{fragment}: {compare}, so the color is replaced; the mask keeps the depth.",
+                       "fragment"_a = name, "compare"_a = asked);
     if (!fragment.depth.write)
-        return say("{fragment}: {compare}, so nothing is written.", "fragment"_a = name, "compare"_a = asked);
-    return fragment.drawn ? say("{fragment}: {compare}, so color and depth are replaced.", "fragment"_a = name,
-                                "compare"_a = asked)
-                          : say("{fragment}: {compare}, so the depth is replaced but the color is not.",
-                                "fragment"_a = name, "compare"_a = asked);
+        return message("{fragment}: {compare}, so nothing is written.", "fragment"_a = name, "compare"_a = asked);
+    return fragment.drawn ? message("{fragment}: {compare}, so color and depth are replaced.", "fragment"_a = name,
+                                    "compare"_a = asked)
+                          : message("{fragment}: {compare}, so the depth is replaced but the color is not.",
+                                    "fragment"_a = name, "compare"_a = asked);
 }
 
 /// Returns the fragment, corrected to match its cell, which was read back before and after the fragment was drawn.
@@ -129,50 +130,53 @@ std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t
 }
 
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {
-    if (fragment.culled) return {"", tr("culled")};
-    if (fragment.stencil_fails) return {"", tr("stencil fails")};
-    if (!fragment.is_sent) return {"", tr("not sent")};
-    const char* passes = fragment.drawn ? tr("passes") : tr("passes, no color");
-    if (!fragment.depth.test) return {tr("depth test off"), fragment.drawn ? tr("drawn") : tr("no color")};
-    if (fragment.decided_by_rounding) return {tr("rounding decides"), fragment.passes ? passes : tr("fails"), true};
-    const std::string asked = compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
-    if (!fragment.tie || asks_nothing(fragment.depth.func)) return {asked, fragment.passes ? passes : tr("fails")};
+    if (fragment.culled) return {{}, message("culled")};
+    if (fragment.stencil_fails) return {{}, message("stencil fails")};
+    if (!fragment.is_sent) return {{}, message("not sent")};
+    const Message passes = fragment.drawn ? message("passes") : message("passes, no color");
+    if (!fragment.depth.test)
+        return {message("depth test off"), fragment.drawn ? message("drawn") : message("no color")};
+    if (fragment.decided_by_rounding)
+        return {message("rounding decides"), fragment.passes ? passes : message("fails"), true};
+    const Message asked =
+        verbatim(compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision));
+    if (!fragment.tie || asks_nothing(fragment.depth.func)) return {asked, fragment.passes ? passes : message("fails")};
     return {asked,
-            !fragment.passes ? tr("tie: fails")
-            : fragment.drawn ? tr("tie: passes")
-                             : tr("tie: passes, no color"),
+            !fragment.passes ? message("tie: fails")
+            : fragment.drawn ? message("tie: passes")
+                             : message("tie: passes, no color"),
             true};
 }
 
-std::string fragment_name(const Fragment& fragment) {
-    return say("{object}, triangle {number}", "object"_a = object_text(fragment.object),
-               "number"_a = grouped_number(fragment.triangle + 1));
+Message fragment_name(const Fragment& fragment) {
+    return message("{object}, triangle {number}", "object"_a = object_message(fragment.object),
+                   "number"_a = grouped_number(fragment.triangle + 1));
 }
 
-std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision) {
-    const std::string name = fragment_name(fragment);
+Message decision_sentence(const Fragment& fragment, const DepthPrecision& precision) {
+    const Message name = fragment_name(fragment);
     if (fragment.culled)
-        return fragment.front_facing ? say("{fragment} is culled: it is front-facing.", "fragment"_a = name)
-                                     : say("{fragment} is culled: it is back-facing.", "fragment"_a = name);
+        return fragment.front_facing ? message("{fragment} is culled: it is front-facing.", "fragment"_a = name)
+                                     : message("{fragment} is culled: it is back-facing.", "fragment"_a = name);
     if (fragment.stencil_fails)
-        return say("{fragment}: the stencil test fails, so the pixel is unchanged.", "fragment"_a = name);
+        return message("{fragment}: the stencil test fails, so the pixel is unchanged.", "fragment"_a = name);
     if (!fragment.is_sent)
-        return say("{fragment} is not sent to GL: the method found another surface here.", "fragment"_a = name);
+        return message("{fragment} is not sent to GL: the method found another surface here.", "fragment"_a = name);
     if (!fragment.depth.test)
-        return say("{fragment}: the depth test is off, so the color is replaced but the depth is not.",
-                   "fragment"_a = name);
+        return message("{fragment}: the depth test is off, so the color is replaced but the depth is not.",
+                       "fragment"_a = name);
     if (fragment.decided_by_rounding) return rounding_sentence(fragment, name);
     return compare_decision(fragment, name,
                             compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision));
 }
 
-std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
-                          const DepthPrecision& precision) {
+Message cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
+                      const DepthPrecision& precision) {
     const std::optional<Fragment> sent = incoming ? as_read_back(*incoming, before, after) : std::nullopt;
     if (sent) return decision_sentence(*sent, precision);
-    if (before == after) return tr("This triangle does not cover the pixel.");
-    if (before.stored == after.stored) return tr("This triangle changes the color but not the depth.");
-    return tr("This triangle changes color and depth.");
+    if (before == after) return message("This triangle does not cover the pixel.");
+    if (before.stored == after.stored) return message("This triangle changes the color but not the depth.");
+    return message("This triangle changes color and depth.");
 }
 
 int seen_fragment(const std::vector<Fragment>& fragments) {

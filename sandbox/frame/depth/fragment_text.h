@@ -24,25 +24,27 @@ std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t
 
 /// The outcome of a fragment's tests, in two columns.
 struct TestText {
-    std::string compare;    ///< "812 < 812", "rounding decides", "depth test off"; empty if no depth test was reached
-    std::string result;     ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
+    Message compare;        ///< "812 < 812", "rounding decides", "depth test off"; empty if no depth test was reached
+    Message result;         ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
     bool is_close = false;  ///< a tie, or decided by rounding
 
     /// Returns both columns as one text: "812 < 812  tie: fails".
-    std::string whole() const { return compare.empty() ? result : compare + "  " + result; }
+    Message whole(std::string_view between = "  ") const {
+        return compare.empty() ? result : listed({compare, result}, between);
+    }
 };
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision);
 
 /// Returns "box, triangle 3"; triangles are counted from 1.
-std::string fragment_name(const Fragment& fragment);
+Message fragment_name(const Fragment& fragment);
 
 /// Says what a fragment does to its pixel: "box, triangle 3: 9 < 15, so color and depth are replaced."
-std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision);
+Message decision_sentence(const Fragment& fragment, const DepthPrecision& precision);
 
 /// Says what a step does to a cell, which was read back before and after the step. If the readback contradicts the
 /// fragment, the readback takes precedence. If the fragment cannot have caused the change, describes only the change.
-std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
-                          const DepthPrecision& precision);
+Message cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
+                      const DepthPrecision& precision);
 
 /// Returns the index of the last fragment that writes its color, which is the visible one; −1 if there is none.
 int seen_fragment(const std::vector<Fragment>& fragments);

@@ -10,7 +10,7 @@
 #include "frame/box_tree.h"
 #include "frame/depth/depth_precision.h"
 #include "geometry/convex_part.h"
-#include "text/catalogue.h"
+#include "text/message.h"
 
 namespace viewing {
 namespace {
@@ -139,9 +139,10 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
     if (!better)
         return {
             true, std::nullopt,
-            say("near = {near} cuts into {object}, which reaches the eye or goes past it: no near plane would keep it "
+            message(
+                "near = {near} cuts into {object}, which reaches the eye or goes past it: no near plane would keep it "
                 "whole.",
-                "near"_a = near_now, "object"_a = object_text(nearest.name))};
+                "near"_a = near_now, "object"_a = object_message(nearest.name))};
     const double near = *better;
     const Change change = change_of(params, derived, near, z);
     const bool is_finer = change.then < change.now;
@@ -154,8 +155,9 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
             : marked(
                   "near = {near} cuts into {object}, whose nearest point is at {nearest}: near = {better} would keep "
                   "it whole, but the safe gap at z = {z} would be {then} instead of {now}, {factor} times larger.");
-    return {true, near,
-            say(fmt::runtime(sentence), "near"_a = near_now, "object"_a = object_text(nearest.name),
+    return {
+        true, near,
+        message(fmt::runtime(sentence), "near"_a = near_now, "object"_a = object_message(nearest.name),
                 "nearest"_a = figures(rounded_down(nearest.nearest)), "better"_a = figures(near), "z"_a = figures(z),
                 "then"_a = figures(change.then), "now"_a = figures(change.now), "factor"_a = figures(factor))};
 }
@@ -187,7 +189,7 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
     };
     for (const SceneObject& object : scene.objects)
         take(object.description.name, reach_of(object, derived.view_from_world, view), false);
-    take(tr("the plane"), reach_of(derived.planes.front().patch, derived.view_from_world, view), true);
+    take("the plane", reach_of(derived.planes.front().patch, derived.view_from_world, view), true);
     return seen;
 }
 
@@ -221,8 +223,10 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
 
     std::vector<DistanceMark> marks;
     for (const Group& group : groups) {
-        const std::string more = group.count > 1 ? " +" + std::to_string(group.count - 1) : "";
-        marks.push_back({group.first->name + more, group.first->nearest, group.first->is_plane});
+        const SeenThing& first = *group.first;
+        Message label = first.is_plane ? message("the plane") : verbatim(first.name);
+        if (group.count > 1) label = listed({label, verbatim("+" + std::to_string(group.count - 1))}, " ");
+        marks.push_back({label, first.nearest, first.is_plane});
     }
     return marks;
 }
@@ -241,11 +245,11 @@ std::optional<NearAdvice> near_advice(const Params& params, const Derived& deriv
     const Change change = change_of(params, derived, near, z);
     if (!(change.now >= least_gain * change.then)) return std::nullopt;
     return NearAdvice{false, near,
-                      say("Nothing is nearer than {nearest}: with near = {near}, the safe gap at z = {z} would be "
-                          "{then} instead of {now}, {factor} times smaller.",
-                          "nearest"_a = figures(rounded_down(nearest.nearest)), "near"_a = figures(near),
-                          "z"_a = figures(change.z), "then"_a = figures(change.then), "now"_a = figures(change.now),
-                          "factor"_a = figures(change.now / change.then))};
+                      message("Nothing is nearer than {nearest}: with near = {near}, the safe gap at z = {z} would be "
+                              "{then} instead of {now}, {factor} times smaller.",
+                              "nearest"_a = figures(rounded_down(nearest.nearest)), "near"_a = figures(near),
+                              "z"_a = figures(change.z), "then"_a = figures(change.then), "now"_a = figures(change.now),
+                              "factor"_a = figures(change.now / change.then))};
 }
 
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene) {

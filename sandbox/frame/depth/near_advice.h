@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "frame/derive.h"
+#include "text/message.h"
 
 namespace viewing {
 
 /// An object of the scene or the plane's patch, with the eye distances of the part in view. Near does not matter here:
 /// that part is within the four sides of the view, in front of the eye, and not beyond far.
 struct SeenThing {
-    std::string name;
+    std::string name;  ///< in English
     double nearest = 0.0, farthest = 0.0;
     bool is_plane = false;  ///< the patch
 };
@@ -23,8 +24,8 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
 
 /// One mark for things at nearly the same distance.
 struct DistanceMark {
-    std::string label;  ///< name of the nearest thing, and the number of others: "torus +2"
-    double z = 0.0;     ///< eye distance at which the nearest thing begins
+    Message label;   ///< name of the nearest thing, and the number of others: "torus +2"
+    double z = 0.0;  ///< eye distance at which the nearest thing begins
     bool is_plane = false;
 };
 /// Returns at most `most` marks (0 counts as 1), from near to far. Neighbors whose distances have the smallest ratio
@@ -35,7 +36,7 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
 struct NearAdvice {
     bool cuts = false;           ///< near is too large and clips something; else it is wastefully small
     std::optional<double> near;  ///< the proposed value; none if something reaches the eye
-    std::string sentence;
+    Message sentence;
 };
 
 /// Returns nothing if near is fine: it clips nothing, and a larger near would not make depth 4 times finer at the

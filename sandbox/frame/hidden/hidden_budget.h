@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "state/scene.h"
-#include "text/result.h"
+#include "text/message.h"
 
 namespace viewing {
 
@@ -12,8 +12,8 @@ namespace viewing {
 /// intersect one another: in a BSP tree, a polygon and its pieces take up to seven thousand bytes.
 inline constexpr std::int64_t most_hidden_polygons = 400'000, most_bsp_polygons = 100'000;
 
-/// Returns an error if the scene is too large for the methods, before any work is spent on it. `builds_tree`: one of
-/// the methods builds the BSP tree.
-Status check_hidden_budget(const Scene& scene, bool builds_tree);
+/// Says that the scene is too large for the methods, before any work is spent on it; empty if it is not. `builds_tree`:
+/// one of the methods builds the BSP tree.
+Message beyond_hidden_budget(const Scene& scene, bool builds_tree);
 
 }  // namespace viewing

@@ -68,9 +68,9 @@ Message HiddenAnswer::problem() const {
     return camera->problem;
 }
 
-Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question) {
+Message beyond_hidden_budget(const Scene& scene, const HiddenQuestion& question) {
     const auto builds = [](const HiddenRequest& request) { return request.visibility.method == VisibilityMethod::bsp; };
-    return check_hidden_budget(scene, builds(question.camera) || (question.other && builds(*question.other)));
+    return beyond_hidden_budget(scene, builds(question.camera) || (question.other && builds(*question.other)));
 }
 
 HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQuestion& question,

@@ -34,8 +34,8 @@ struct HiddenAnswer {
     Message problem() const;
 };
 
-/// Checks that the scene is not too large for the question (hidden_budget.h).
-Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question);
+/// Says that the scene is too large for the question (hidden_budget.h); empty if it is not.
+Message beyond_hidden_budget(const Scene& scene, const HiddenQuestion& question);
 
 HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQuestion& question,
                                     WorkProgress* progress = nullptr);

@@ -96,21 +96,21 @@ const char* sentence_of(ShadowRay ray) {
         case ShadowRay::regular:
             return "";
         case ShadowRay::point_in_plane:
-            return tr("p lies in the plane: it is its own shadow.");
+            return marked("p lies in the plane: it is its own shadow.");
         case ShadowRay::point_behind:
-            return tr("p lies behind the plane: the ray meets the plane first, so s is a false shadow.");
+            return marked("p lies behind the plane: the ray meets the plane first, so s is a false shadow.");
         case ShadowRay::beyond_light:
-            return tr(
+            return marked(
                 "p is farther from the plane than the light is: the line meets the plane behind the light, where w has "
                 "the opposite sign, so s is an anti-shadow.");
         case ShadowRay::parallel:
-            return tr("The ray is parallel to the plane: w = 0, and s lies at infinity.");
+            return marked("The ray is parallel to the plane: w = 0, and s lies at infinity.");
         case ShadowRay::light_in_plane:
-            return tr(
+            return marked(
                 "The light lies in the plane: S sends every point to the light itself, or to infinity if the light is "
                 "parallel. There is no shadow.");
         case ShadowRay::at_light:
-            return tr("p coincides with the light: there is no ray.");
+            return marked("p coincides with the light: there is no ray.");
     }
     return "";
 }

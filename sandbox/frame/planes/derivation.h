@@ -23,7 +23,7 @@ enum class ShadowRay {
     at_light         ///< p is at the light: there is no ray
 };
 
-/// Returns "" for a regular ray, otherwise a sentence about the special case.
+/// Returns "" for a regular ray, otherwise a sentence about the special case: in English; use tr() to show it.
 const char* sentence_of(ShadowRay ray);
 
 /// All values of the derivation of s. `n` and `d` belong to the unit plane; heights are signed distances from it.

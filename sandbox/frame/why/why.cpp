@@ -7,15 +7,9 @@
 #include "frame/draw_calls.h"
 #include "frame/say.h"
 #include "state/file/json.h"
-#include "text/words.h"
 
 namespace viewing {
 namespace {
-
-/// Returns a sentence with its period.
-std::string ended(const std::string& sentence) {
-    return sentence.ends_with('.') ? sentence : sentence + ".";
-}
 
 /// Returns the picture's color at the pixel with a setting applied; none if the setting cannot be tried on this scene.
 std::optional<Color> color_with(const WhyQuestion& question, const std::string& setting) {
@@ -46,8 +40,8 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
             continue;
         }
         made.rows.push_back({.kind = WhyRow::Kind::fault,
-                             .title = tr("Wrong here"),
-                             .sentence = ended(say(problem.sentence)),
+                             .title = message("Wrong here"),
+                             .sentences = {ended(problem.sentence)},
                              .after = fixed,
                              .fix = problem.fixed_by});
     }
@@ -69,24 +63,26 @@ void find_names(Why& made, const WhyQuestion& question) {
 }
 
 /// Names the visible surface, says whether light is missing, and names what else contributes to the color.
-std::string sentence_of(const Why& made, const WhyQuestion& question) {
+Message sentence_of(const Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
     const std::vector<const Touch*> images = images_of(made, question.plan);
     const Touch* image = images.empty() ? nullptr : images.front();
-    std::vector<std::string> casters;
-    for (const std::string& caster : made.casters) casters.push_back(object_text(caster));
+    std::vector<Message> names;
+    for (const std::string& caster : made.casters) names.push_back(object_message(caster));
+    const Message casters = listed(names);
     if (!surface && !image)
-        return casters.empty()
-                   ? tr("Nothing is drawn here: this is the background.")
-                   : say("Seen here: the background, under the shadow of {casters}.", "casters"_a = joined(casters));
-    const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
-    std::string said = casters.empty() ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
-                                       : say("Seen here: {surface}, in the shadow of {casters}.",
-                                             "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
-    if (image && surface)
-        said += " " + say("{share} of the color is the mirror image of {object}.", "share"_a = percent(image->share, 0),
-                          "object"_a = surface_name(question, image->fragment.object_index));
-    return said;
+        return names.empty()
+                   ? message("Nothing is drawn here: this is the background.")
+                   : message("Seen here: the background, under the shadow of {casters}.", "casters"_a = casters);
+    const Message seen = surface_name(question, (surface ? surface : image)->fragment.object_index);
+    const Message said = names.empty() ? message("Seen here: {surface}.", "surface"_a = seen)
+                                       : message("Seen here: {surface}, in the shadow of {casters}.",
+                                                 "surface"_a = seen, "casters"_a = casters);
+    if (!image || !surface) return said;
+    return listed(
+        {said, message("{share} of the color is the mirror image of {object}.", "share"_a = percent(image->share, 0),
+                       "object"_a = surface_name(question, image->fragment.object_index))},
+        " ");
 }
 
 }  // namespace
@@ -133,28 +129,28 @@ Why why(const WhyQuestion& question) {
     made.sentence = sentence_of(made, question);
     const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
                                     [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
-    if (fault != made.rows.end()) made.fault = say("Wrong here: {fault}", "fault"_a = fault->sentence);
+    if (fault != made.rows.end()) made.fault = message("Wrong here: {fault}", "fault"_a = fault->sentences.front());
     return made;
 }
 
-std::string on_one_line(std::string sentence) {
-    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    return sentence;
-}
-
-std::string why_as_text(const Why& why) {
-    std::string text = say("Pixel ({x}, {y})", "x"_a = why.chain.pixel.x, "y"_a = why.chain.pixel.y);
-    if (why.read_back) text += " " + hex_of(*why.read_back);
-    text += "\n" + why.sentence + (why.fault.empty() ? "" : " " + why.fault) + "\n";
+Message why_as_text(const Why& why) {
+    std::vector<Message> text{message("Pixel ({x}, {y})", "x"_a = why.chain.pixel.x, "y"_a = why.chain.pixel.y)};
+    const auto add = [&text](const char* between, Message part) {
+        text.insert(text.end(), {verbatim(between), std::move(part)});
+    };
+    if (why.read_back) add(" ", verbatim(hex_of(*why.read_back)));
+    add("\n", why.sentence);
+    if (!why.fault.empty()) add(" ", why.fault);
     for (const WhyRow& row : why.rows) {
-        text += "  " + row.title + ": " + on_one_line(row.sentence);
+        add("\n  ", row.title);
+        add(": ", listed(row.sentences, " "));
         if (!row.fix.empty())
-            text += " " + say("With {fix}: {color}.", "fix"_a = row.fix, "color"_a = hex_of(*row.after));
+            add(" ", message("With {fix}: {color}.", "fix"_a = row.fix, "color"_a = hex_of(*row.after)));
         else if (row.after && row.kind != WhyRow::Kind::sum)
-            text += " → " + hex_of(*row.after);
-        text += "\n";
+            add(" → ", verbatim(hex_of(*row.after)));
     }
-    return text + "\n";
+    add("\n\n", {});
+    return listed(text, "");
 }
 
 }  // namespace viewing

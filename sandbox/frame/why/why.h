@@ -15,12 +15,12 @@ namespace viewing {
 struct WhyRow {
     enum class Kind { ray, pass, mirror, light, fight, fault, samples, sum };
     Kind kind = Kind::ray;
-    std::string title = "";           ///< "Pass 3, Mirror image"; translated
-    std::string sentence = "";        ///< translated
-    std::optional<Color> after = {};  ///< the pixel's color after this row
-    int pass = -1;                    ///< index in FramePlan::passes; −1: no pass
-    bool is_quiet = false;            ///< changes nothing
-    std::string fix = "";             ///< the setting that removes the problem; "" if none
+    Message title = {};                   ///< "Pass 3, Mirror image"
+    std::vector<Message> sentences = {};  ///< each begins a line in a view
+    std::optional<Color> after = {};      ///< the pixel's color after this row
+    int pass = -1;                        ///< index in FramePlan::passes; −1: no pass
+    bool is_quiet = false;                ///< changes nothing
+    std::string fix = "";                 ///< the setting that removes the problem; "" if none
 };
 
 /// A line of the explanation in world space, drawn in the views.
@@ -28,13 +28,13 @@ struct WhyLine {
     enum class Kind { sight, light, cut_light, image };
     Kind kind = Kind::sight;
     glm::dvec3 from_world{0.0}, to_world{0.0};
-    std::string label = "";  ///< at the line's end; translated
-    std::size_t row = 0;     ///< the row that it belongs to
+    Message label = {};   ///< at the line's end
+    std::size_t row = 0;  ///< the row that it belongs to
 };
 
 struct Why {
-    std::string sentence;  ///< names what the pixel shows, in one or two sentences
-    std::string fault;     ///< the problem at the pixel; "" if no fix changes the pixel
+    Message sentence;  ///< names what the pixel shows, in one or two sentences
+    Message fault;     ///< the problem at the pixel; empty if no fix changes the pixel
     std::vector<WhyRow> rows;
     std::vector<WhyLine> lines;
     PixelChain chain;
@@ -61,19 +61,16 @@ struct WhyQuestion {
 };
 Why why(const WhyQuestion& question);
 
-/// Returns a row's sentence, which may span several lines in a view, as a single line.
-std::string on_one_line(std::string sentence);
-
 /// Returns a line with the pixel, a line with the sentence and the fault, one line per row, and an empty line.
-std::string why_as_text(const Why& why);
+Message why_as_text(const Why& why);
 
 // The parts of why(): why_rows.cpp and why_lights.cpp.
 
-/// Returns "the plane", "plane 2", or the object's translated name.
-std::string surface_name(const WhyQuestion& question, int object_index);
+/// Returns "the plane", "plane 2", or the object's name.
+Message surface_name(const WhyQuestion& question, int object_index);
 std::string point_text(const glm::dvec3& point);
 /// Returns the comparison and its outcome: "12 < 16, passes".
-std::string test_phrase(const WhyQuestion& question, const Fragment& fragment);
+Message test_phrase(const WhyQuestion& question, const Fragment& fragment);
 /// Returns "#5a575b".
 std::string hex_of(const Color& color);
 

@@ -4,95 +4,86 @@
 
 #include "frame/say.h"
 #include "frame/why/why.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
 
-std::string light_title(std::size_t light, std::size_t count) {
-    return count == 1 ? tr("Light source") : say("Light {light}", "light"_a = light + 1);
+Message light_title(std::size_t light, std::size_t count) {
+    return count == 1 ? message("Light source") : message("Light {light}", "light"_a = light + 1);
 }
 
-std::string name_of_light(const WhyQuestion& question, std::size_t light) {
-    return say(light_name(light, question.derived.lights_world.size()));
-}
-
-/// Capitalizes the first letter of a sentence, which may begin with a name; "n·ℓ" stays as it is.
-std::string begun(std::string sentence) {
-    const auto is_small = [&](std::size_t at) {
-        return at < sentence.size() && sentence[at] >= 'a' && sentence[at] <= 'z';
-    };
-    if (is_small(0) && is_small(1)) sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
-    return sentence;
+Message name_of_light(const WhyQuestion& question, std::size_t light) {
+    return light_name(light, question.derived.lights_world.size());
 }
 
 /// Says what a light adds to a surface that no shadow darkens, or why it adds nothing.
-std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
-    const std::string name = name_of_light(question, light);
+Message lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
+    const Message name = name_of_light(question, light);
     const auto share = std::find_if(surface.color.lights.begin(), surface.color.lights.end(),
                                     [&](const LightShare& one) { return one.light == light; });
     if (share == surface.color.lights.end())
-        return say("{light} shines on the other side of the surface and adds nothing.", "light"_a = name);
+        return message("{light} shines on the other side of the surface and adds nothing.", "light"_a = name);
     if (share->cosine <= 0.0)
-        return say("n·ℓ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
-                   "cosine"_a = number_text(share->cosine, 2));
+        return message("n·ℓ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
+                       "cosine"_a = number_text(share->cosine, 2));
     const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
     double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
     for (const LightShare& one : surface.color.lights) all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
-    return say("n·ℓ = {cosine}: {share} of the surface's light.", "cosine"_a = number_text(share->cosine, 2),
-               "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
+    return message("n·ℓ = {cosine}: {share} of the surface's light.", "cosine"_a = number_text(share->cosine, 2),
+                   "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
 
 /// Says, for one light, which point of which caster the matrix S maps to the pixel, and how the shadow passes darken
 /// the pixel.
-std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
-                            std::size_t light) {
+std::vector<Message> shadow_sentences(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
+                                      std::size_t light) {
     const Touch& first = *shadow.first;
     const CastShadow& cast = question.derived.planes[plane].shadows[light];
     const glm::dvec3& p = first.fragment.point_scene;
     const glm::dvec4 s = cast.shadowed_world_from_world * glm::dvec4(p, 1.0);
-    const std::string caster = surface_name(question, first.fragment.object_index),
-                      name = name_of_light(question, light);
-    std::string said;
+    const Message caster = surface_name(question, first.fragment.object_index), name = name_of_light(question, light);
+    Message said;
     switch (place_of(question.derived.planes[plane], cast, p)) {
         case CasterPlace::behind_plane:
-            said = say("{caster} lies behind the plane at p = {p} and darkens this pixel all the same: a false shadow.",
-                       "caster"_a = caster, "p"_a = point_text(p));
+            said = message(
+                "{caster} lies behind the plane at p = {p} and darkens this pixel all the same: a false shadow.",
+                "caster"_a = caster, "p"_a = point_text(p));
             break;
         case CasterPlace::beyond_light:
-            said = say("{caster} lies beyond {light} at p = {p} and darkens this pixel all the same: an anti-shadow.",
-                       "caster"_a = caster, "light"_a = name, "p"_a = point_text(p));
+            said =
+                message("{caster} lies beyond {light} at p = {p} and darkens this pixel all the same: an anti-shadow.",
+                        "caster"_a = caster, "light"_a = name, "p"_a = point_text(p));
             break;
         case CasterPlace::between:
-            said = say("{light} does not arrive: {caster} blocks it at p = {p}.", "light"_a = name, "caster"_a = caster,
-                       "p"_a = point_text(p));
+            said = message("{light} does not arrive: {caster} blocks it at p = {p}.", "light"_a = name,
+                           "caster"_a = caster, "p"_a = point_text(p));
     }
+    std::vector<Message> all{said};
     if (s.w != 0.0)
-        said +=
-            "\n" + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2));
+        all.push_back(
+            message("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2)));
     const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
-    said += "\n";
-    if (is_missing_light)
-        said += tr("The stencil marks the pixel, and the plane is drawn without this light.");
-    else
-        said +=
-            say_count(shadow.passing, "The shadow is blended here once.", "The shadow is blended here {count} times.");
-    return said;
+    all.push_back(is_missing_light ? message("The stencil marks the pixel, and the plane is drawn without this light.")
+                                   : message_count(shadow.passing, "The shadow is blended here once.",
+                                                   "The shadow is blended here {count} times."));
+    return all;
 }
 
 /// Says why a pixel shows no shadow although a caster blocks the light.
-std::string no_shadow_sentence(const WhyQuestion& question, const std::string& caster, const ShadowAtPixel& shadow,
-                               std::size_t plane, std::size_t light) {
-    const std::string name = name_of_light(question, light);
+Message no_shadow_sentence(const WhyQuestion& question, const Message& caster, const ShadowAtPixel& shadow,
+                           std::size_t plane, std::size_t light) {
+    const Message name = name_of_light(question, light);
     if (shadow.rejected)
-        return say("{caster} blocks {light}, but its shadow fails the depth test here: {test}.", "caster"_a = caster,
-                   "light"_a = name, "test"_a = test_phrase(question, shadow.rejected->fragment));
+        return message("{caster} blocks {light}, but its shadow fails the depth test here: {test}.",
+                       "caster"_a = caster, "light"_a = name,
+                       "test"_a = test_phrase(question, shadow.rejected->fragment));
     if (!question.params.shadow.enabled)
-        return say("{caster} blocks {light}, but no shadows are drawn.", "caster"_a = caster, "light"_a = name);
+        return message("{caster} blocks {light}, but no shadows are drawn.", "caster"_a = caster, "light"_a = name);
     if (!question.derived.planes[plane].receives_shadow)
-        return say("{caster} blocks {light}, but this plane receives no shadow.", "caster"_a = caster,
+        return message("{caster} blocks {light}, but this plane receives no shadow.", "caster"_a = caster,
+                       "light"_a = name);
+    return message("{caster} blocks {light}, but no pass draws its shadow here.", "caster"_a = caster,
                    "light"_a = name);
-    return say("{caster} blocks {light}, but no pass draws its shadow here.", "caster"_a = caster, "light"_a = name);
 }
 
 /// Returns the eye, reflected in each of the pass's mirrors.
@@ -105,10 +96,10 @@ glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
 
 /// A light's row, and the caster that blocks the light.
 struct LightRow {
-    std::string sentence;
+    std::vector<Message> sentences;
     std::optional<Color> after = {};
     std::optional<glm::dvec3> caster_world = {};
-    std::string caster = "";
+    Message caster = {};
 };
 
 /// Says what a light adds to a patch, how a caster darkens the patch, or why the caster does not.
@@ -116,21 +107,22 @@ LightRow row_of_patch(const Why& made, const WhyQuestion& question, const Touch&
     const Pass& pass = question.plan.passes[surface.fragment.pass];
     const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, pass.plane, light, pass.mirrors_met);
     if (shadow.first)
-        return {shadow_sentence(question, shadow, pass.plane, light),
+        return {shadow_sentences(question, shadow, pass.plane, light),
                 shadow.last->paints ? std::optional(shadow.last->after) : std::nullopt,
                 shadow.first->fragment.point_scene, surface_name(question, shadow.first->fragment.object_index)};
     const DerivedPlane& receiver = question.derived.planes[pass.plane];
     const bool reaches = receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
     const std::optional<Blocker> in_way =
         blocker(question.finder, surface.fragment.point_scene, question.derived.lights_world[light]);
-    if (!in_way || !reaches) return {lit_sentence(question, surface, light)};
-    const std::string caster = surface_name(question, in_way->object_index);
-    return {no_shadow_sentence(question, caster, shadow, pass.plane, light), std::nullopt, in_way->point_world, caster};
+    if (!in_way || !reaches) return {{lit_sentence(question, surface, light)}};
+    const Message caster = surface_name(question, in_way->object_index);
+    return {
+        {no_shadow_sentence(question, caster, shadow, pass.plane, light)}, std::nullopt, in_way->point_world, caster};
 }
 
 /// Says what a light adds to an object, on which no planar shadow falls.
 LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::size_t light) {
-    LightRow row{lit_sentence(question, surface, light)};
+    LightRow row{{lit_sentence(question, surface, light)}};
     const std::optional<Blocker> in_way =
         blocker(question.finder, surface.fragment.point_scene, question.derived.lights_world[light]);
     const bool faces = std::any_of(surface.color.lights.begin(), surface.color.lights.end(),
@@ -139,8 +131,10 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
     row.caster_world = in_way->point_world;
     row.caster = surface_name(question, in_way->object_index);
     if (question.params.shadow.enabled)
-        row.sentence +=
-            " " + say("{caster} blocks the light, but planar shadows fall on planes only.", "caster"_a = row.caster);
+        row.sentences = {listed(
+            {row.sentences.front(),
+             message("{caster} blocks the light, but planar shadows fall on planes only.", "caster"_a = row.caster)},
+            " ")};
     return row;
 }
 
@@ -157,17 +151,18 @@ void add_lights(Why& made, const WhyQuestion& question, const Touch& surface) {
     const glm::dvec3& point = surface.fragment.point_scene;
     const std::vector<glm::dvec4>& lights_world = question.derived.lights_world;
     for (std::size_t light = 0; light < lights_world.size(); ++light) {
-        const LightRow row = surface.fragment.object_index < 0 ? row_of_patch(made, question, surface, light)
-                                                               : row_of_object(question, surface, light);
-        const std::string title = light_title(light, lights_world.size());
+        LightRow row = surface.fragment.object_index < 0 ? row_of_patch(made, question, surface, light)
+                                                         : row_of_object(question, surface, light);
+        const Message title = light_title(light, lights_world.size());
+        row.sentences.front() = begun(row.sentences.front());
         made.rows.push_back(
             {.kind = WhyRow::Kind::light,
-             .title = pass.mirrors_met.empty() ? title : say("{light}, in the mirror", "light"_a = title),
-             .sentence = begun(row.sentence),
+             .title = pass.mirrors_met.empty() ? title : message("{light}, in the mirror", "light"_a = title),
+             .sentences = row.sentences,
              .after = row.after});
         const std::size_t at = made.rows.size() - 1;
         const glm::dvec3 from = place_of_light(question, lights_world[light], point);
-        made.lines.push_back({WhyLine::Kind::light, from, row.caster_world.value_or(point), "", at});
+        made.lines.push_back({WhyLine::Kind::light, from, row.caster_world.value_or(point), {}, at});
         if (row.caster_world)
             made.lines.push_back({WhyLine::Kind::cut_light, *row.caster_world, point, row.caster, at});
     }

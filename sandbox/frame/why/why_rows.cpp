@@ -9,7 +9,6 @@
 #include "frame/draw_calls.h"
 #include "frame/say.h"
 #include "frame/why/why.h"
-#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -34,63 +33,66 @@ glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_
     return made;
 }
 
+/// Returns "box (front)".
+Message with_side(const Message& name, bool is_front) {
+    return listed({name, " (", is_front ? message("front") : message("back"), ")"}, "");
+}
+
 /// Says what a fragment does in its pass: the tests with their numbers, and what it writes. `below`: the previous
 /// fragment that the same method painted there; null if there is none.
-std::string outcome(const WhyQuestion& question, const Touch& touch, const Touch* below) {
+Message outcome(const WhyQuestion& question, const Touch& touch, const Touch* below) {
     const Fragment& fragment = touch.fragment;
     const Pass& pass = question.plan.passes[fragment.pass];
-    std::string name = surface_name(question, fragment.object_index);
-    if (fragment.object_index >= 0 && role_of(pass) == PassRole::objects)
-        name += std::string(" (") + (fragment.front_facing ? tr("front") : tr("back")) + ")";
+    Message name = surface_name(question, fragment.object_index);
+    if (fragment.object_index >= 0 && role_of(pass) == PassRole::objects) name = with_side(name, fragment.front_facing);
     if (pass.subject == Subject::ordered)
-        name =
-            say("{surface}, triangle {number} of {count} in the method's order", "surface"_a = name,
-                "number"_a = fragment.triangle + 1, "count"_a = question.plan.drawing_of(pass)->triangles.size() / 3);
-    if (fragment.cut_off) return say("{surface} is cut off by a clip plane", "surface"_a = name);
-    if (!fragment.is_sent) return say("the method found another surface in front of {surface}", "surface"_a = name);
+        name = message("{surface}, triangle {number} of {count} in the method's order", "surface"_a = name,
+                       "number"_a = fragment.triangle + 1,
+                       "count"_a = question.plan.drawing_of(pass)->triangles.size() / 3);
+    if (fragment.cut_off) return message("{surface} is cut off by a clip plane", "surface"_a = name);
+    if (!fragment.is_sent) return message("the method found another surface in front of {surface}", "surface"_a = name);
     if (fragment.culled)
-        return fragment.front_facing ? say("{surface} is culled: it shows its front face", "surface"_a = name)
-                                     : say("{surface} is culled: it shows its back face", "surface"_a = name);
+        return fragment.front_facing ? message("{surface} is culled: it shows its front face", "surface"_a = name)
+                                     : message("{surface} is culled: it shows its back face", "surface"_a = name);
     if (fragment.stencil_fails)
-        return say("{surface}: the stencil value {value} does not match {reference}, so nothing is drawn",
-                   "surface"_a = name, "value"_a = fragment.stencil_before,
-                   "reference"_a = pass.marks_objects && fragment.object_index >= 0
-                                       ? question.plan.mark_of(static_cast<std::size_t>(fragment.object_index))
-                                       : pass.stencil.reference);
-    std::string said = say("{surface}: {test}", "surface"_a = name, "test"_a = test_phrase(question, fragment));
+        return message("{surface}: the stencil value {value} does not match {reference}, so nothing is drawn",
+                       "surface"_a = name, "value"_a = fragment.stencil_before,
+                       "reference"_a = pass.marks_objects && fragment.object_index >= 0
+                                           ? question.plan.mark_of(static_cast<std::size_t>(fragment.object_index))
+                                           : pass.stencil.reference);
+    std::vector<Message> said{
+        message("{surface}: {test}", "surface"_a = name, "test"_a = test_phrase(question, fragment))};
     if (fragment.passes && fragment.stencil_after != fragment.stencil_before)
-        said += ", " + say("stencil {before} → {after}", "before"_a = fragment.stencil_before,
-                           "after"_a = fragment.stencil_after);
+        said.push_back(message("stencil {before} → {after}", "before"_a = fragment.stencil_before,
+                               "after"_a = fragment.stencil_after));
     if (touch.paints && below)
-        said += ", " + say("over triangle {number}, {surface}", "number"_a = below->fragment.triangle + 1,
-                           "surface"_a = surface_name(question, below->fragment.object_index));
+        said.push_back(message("over triangle {number}, {surface}", "number"_a = below->fragment.triangle + 1,
+                               "surface"_a = surface_name(question, below->fragment.object_index)));
     if (touch.paints && pass.blend == Blend::alpha)
-        said += ", " + say("covers {share} of the color", "share"_a = percent(touch.color.alpha, 0));
-    return said;
+        said.push_back(message("covers {share} of the color", "share"_a = percent(touch.color.alpha, 0)));
+    return listed(said);
 }
 
 /// Lists the fragments of one pass. After the first four, fragments that change nothing are only counted.
-std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*>& touches) {
+Message outcomes(const WhyQuestion& question, const std::vector<const Touch*>& touches) {
     constexpr std::size_t most = 4;
-    std::vector<std::string> said;
+    std::vector<Message> said;
     std::size_t left = 0;
     const Touch* below = nullptr;
     for (const Touch* touch : touches) {
         const bool changes = touch->fragment.passes;
-        const std::string text = outcome(question, *touch, below);
+        Message text = outcome(question, *touch, below);
         if (touch->paints && question.plan.passes[touch->fragment.pass].subject == Subject::ordered) below = touch;
         if (std::find(said.begin(), said.end(), text) != said.end()) continue;
         if (said.size() < most || changes)
-            said.push_back(text);
+            said.push_back(std::move(text));
         else
             ++left;
     }
-    std::string all;
-    for (const std::string& one : said) all += (all.empty() ? "" : "; ") + one;
     if (left > 0)
-        all += "; " +
-               say_count(static_cast<std::int64_t>(left), "one more changes nothing", "{count} more change nothing");
-    return all + ".";
+        said.push_back(
+            message_count(static_cast<std::int64_t>(left), "one more changes nothing", "{count} more change nothing"));
+    return listed({listed(said, "; "), "."}, "");
 }
 
 struct PathPoint {
@@ -126,17 +128,15 @@ glm::dvec3 eye_for(const Derived& derived, const glm::dvec3& point) {
 
 }  // namespace
 
-std::string surface_name(const WhyQuestion& question, int object_index) {
-    if (object_index == no_object) return tr("the whole picture");
+Message surface_name(const WhyQuestion& question, int object_index) {
+    if (object_index == no_object) return message("the whole picture");
     if (object_index < 0)
-        return say(
-            planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size()));
-    return object_text(question.finder.scene().objects[static_cast<std::size_t>(object_index)].description.name);
+        return planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size());
+    return object_message(question.finder.scene().objects[static_cast<std::size_t>(object_index)].description.name);
 }
 
-std::string test_phrase(const WhyQuestion& question, const Fragment& fragment) {
-    const TestText text = test_text(fragment, precision(question));
-    return text.compare.empty() ? text.result : text.compare + ", " + text.result;
+Message test_phrase(const WhyQuestion& question, const Fragment& fragment) {
+    return test_text(fragment, precision(question)).whole(", ");
 }
 
 std::string point_text(const glm::dvec3& point) {
@@ -154,26 +154,27 @@ void add_ray_row(Why& made, const WhyQuestion& question) {
         met.push_back(&one);
     }
     std::stable_sort(met.begin(), met.end(), [](const auto* a, const auto* b) { return a->eye_z > b->eye_z; });
-    std::string said;
+    std::vector<Message> said;
     constexpr std::size_t most = 5;
     for (std::size_t i = 0; i < std::min(met.size(), most); ++i) {
         const Fragment& one = *met[i];
-        const std::string name = surface_name(question, one.object_index), z = number_text(-one.eye_z, 2);
-        said += said.empty() ? "" : ", ";
-        said += one.object_index < 0 ? say("{surface} at z = {z}", "surface"_a = name, "z"_a = z)
-                : one.front_facing   ? say("{surface} (front) at z = {z}", "surface"_a = name, "z"_a = z)
-                                     : say("{surface} (back) at z = {z}", "surface"_a = name, "z"_a = z);
+        const Message name = surface_name(question, one.object_index);
+        const std::string z = number_text(-one.eye_z, 2);
+        said.push_back(one.object_index < 0 ? message("{surface} at z = {z}", "surface"_a = name, "z"_a = z)
+                       : one.front_facing   ? message("{surface} (front) at z = {z}", "surface"_a = name, "z"_a = z)
+                                            : message("{surface} (back) at z = {z}", "surface"_a = name, "z"_a = z));
     }
     if (met.size() > most)
-        said +=
-            ", " + say_count(static_cast<std::int64_t>(met.size() - most), "one more surface", "{count} more surfaces");
-    made.rows.push_back({.kind = WhyRow::Kind::ray,
-                         .title = tr("Ray"),
-                         .sentence = met.empty() ? tr("The ray meets no surface.")
-                                     : met.size() == 1
-                                         ? say("The ray meets {surface}.", "surface"_a = said)
-                                         : say("The ray meets, from near to far: {surfaces}.", "surfaces"_a = said),
-                         .is_quiet = met.empty()});
+        said.push_back(
+            message_count(static_cast<std::int64_t>(met.size() - most), "one more surface", "{count} more surfaces"));
+    made.rows.push_back(
+        {.kind = WhyRow::Kind::ray,
+         .title = message("Ray"),
+         .sentences = {met.empty() ? message("The ray meets no surface.")
+                       : met.size() == 1
+                           ? message("The ray meets {surface}.", "surface"_a = listed(said))
+                           : message("The ray meets, from near to far: {surfaces}.", "surfaces"_a = listed(said))},
+         .is_quiet = met.empty()});
     if (met.empty()) return;
     made.lines.push_back({.kind = WhyLine::Kind::sight,
                           .from_world = eye_for(question.derived, met.front()->point_scene),
@@ -200,8 +201,8 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
         const bool paints =
             std::any_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->paints; });
         made.rows.push_back({.kind = WhyRow::Kind::pass,
-                             .title = say("Pass {number}, {pass}", "number"_a = number + 1, "pass"_a = pass.name),
-                             .sentence = outcomes(question, touches),
+                             .title = message("Pass {number}, {pass}", "number"_a = number + 1, "pass"_a = pass.name),
+                             .sentences = {outcomes(question, touches)},
                              .after = paints ? std::optional(touches.back()->after) : std::nullopt,
                              .pass = static_cast<int>(number),
                              .is_quiet = !changes});
@@ -209,9 +210,9 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
     if (kept_out > 0)
         made.rows.push_back(
             {.kind = WhyRow::Kind::pass,
-             .title = tr("Stencil"),
-             .sentence = say_count(kept_out, "One more pass covers this pixel, but the stencil keeps it out.",
-                                   "{count} more passes cover this pixel, but the stencil keeps them out."),
+             .title = message("Stencil"),
+             .sentences = {message_count(kept_out, "One more pass covers this pixel, but the stencil keeps it out.",
+                                         "{count} more passes cover this pixel, but the stencil keeps them out.")},
              .is_quiet = true});
 }
 
@@ -237,36 +238,38 @@ void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) 
     const glm::dvec3 image_world = seen.w != 0.0 ? glm::dvec3(seen) / seen.w : glm::dvec3(seen);
     const glm::dvec3 eye = eye_for(question.derived, image_world);
     const std::vector<PathPoint> path = path_of(question.derived, pass.mirrors_met, eye, q);
-    std::string way;
-    for (const PathPoint& point : path)
-        way +=
-            say("{plane} at {point}", "plane"_a = planes_name(std::array{point.mirror}, question.derived.planes.size()),
-                "point"_a = point_text(point.world)) +
-            " → ";
-    const std::string object = surface_name(question, image->fragment.object_index);
+    std::vector<Message> way;
+    for (const PathPoint& point : path) {
+        way.push_back(message("{plane} at {point}",
+                              "plane"_a = planes_name(std::array{point.mirror}, question.derived.planes.size()),
+                              "point"_a = point_text(point.world)));
+        way.push_back(" → ");
+    }
+    const Message object = surface_name(question, image->fragment.object_index);
     const std::string product = mirror_product(question, pass);
     const std::optional<glm::ivec2> elsewhere = pixel_elsewhere(question, image_world);
-    const std::string sentence =
+    const Message sentence =
         elsewhere
-            ? say("Drawn here: {object} at q = {q}. Its image {product} q = {image} belongs at pixel ({x}, {y}): the "
+            ? message(
+                  "Drawn here: {object} at q = {q}. Its image {product} q = {image} belongs at pixel ({x}, {y}): the "
                   "picture in the mirror uses a different lens than the camera.",
                   "object"_a = object, "q"_a = point_text(q), "product"_a = product,
                   "image"_a = point_text(image_world), "x"_a = elsewhere->x, "y"_a = elsewhere->y)
-            : say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.", "way"_a = way,
-                  "object"_a = object, "q"_a = point_text(q), "product"_a = product,
-                  "image"_a = point_text(image_world));
+            : message("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.",
+                      "way"_a = listed(way, ""), "object"_a = object, "q"_a = point_text(q), "product"_a = product,
+                      "image"_a = point_text(image_world));
     made.rows.push_back(
-        {.kind = WhyRow::Kind::mirror, .title = tr("Mirror"), .sentence = sentence, .after = image->after});
+        {.kind = WhyRow::Kind::mirror, .title = message("Mirror"), .sentences = {sentence}, .after = image->after});
     const std::size_t row = made.rows.size() - 1;
     glm::dvec3 from = eye;
     for (const PathPoint& point : path) {
-        made.lines.push_back({WhyLine::Kind::sight, from, point.world, "", row});
+        made.lines.push_back({WhyLine::Kind::sight, from, point.world, {}, row});
         from = point.world;
     }
     made.lines.push_back({WhyLine::Kind::sight, from, q, object, row});
     if (!path.empty())
         made.lines.push_back({WhyLine::Kind::image, path.front().world, image_world,
-                              say("image of {object}", "object"_a = object), row});
+                              message("image of {object}", "object"_a = object), row});
 }
 
 }  // namespace
@@ -299,33 +302,34 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
     const Fragment& one = rival->fragment;
     const bool is_same_object = one.object_index == other->fragment.object_index;
     const auto fighter_name = [&](const Fragment& fragment) {
-        const std::string name = surface_name(question, fragment.object_index);
+        const Message name = surface_name(question, fragment.object_index);
         if (role_of(question.plan.passes[fragment.pass]) == PassRole::shadow)
-            return say("the shadow of {caster}", "caster"_a = name);
-        return is_same_object ? name + " (" + tr(fragment.front_facing ? "front" : "back") + ")" : name;
+            return message("the shadow of {caster}", "caster"_a = name);
+        return is_same_object ? with_side(name, fragment.front_facing) : name;
     };
-    const std::string name = fighter_name(one), rival_name = fighter_name(other->fragment);
+    const Message name = fighter_name(one), rival_name = fighter_name(other->fragment);
     const auto apart = std::abs(static_cast<std::int64_t>(one.stored) - static_cast<std::int64_t>(one.compared_with));
-    std::string said =
+    std::vector<Message> said{
         apart == 0
-            ? say("{surface} and {other} store the same code {code}: the depth test cannot tell them apart.",
-                  "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)))
-            : say_count(
+            ? message("{surface} and {other} store the same code {code}: the depth test cannot tell them apart.",
+                      "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)))
+            : message_count(
                   apart, "{surface} and {other} store {code} and {stored}, one code apart: within GL's rounding error.",
                   "{surface} and {other} store {code} and {stored}, {count} codes apart: within GL's rounding error.",
                   "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)),
-                  "stored"_a = code_text(one.compared_with, precision(question)));
+                  "stored"_a = code_text(one.compared_with, precision(question)))};
     const glm::ivec2 beside =
         question.pixel + glm::ivec2(question.pixel.x + 1 < question.viewport.size_px.x ? 1 : -1, 0);
     const PixelChain there = pixel_chain(question.plan, question.finder, beside, question.viewport.size_px);
     const Touch* seen = there.surface(question.plan);
     const int object = surface->fragment.object_index;
     if (seen)
-        said += " " + (seen->fragment.object_index == object
-                           ? say("By exact depth, the neighboring pixel shows the same surface.")
-                           : say("By exact depth, the neighboring pixel shows {surface}.",
-                                 "surface"_a = surface_name(question, seen->fragment.object_index)));
-    made.rows.push_back({.kind = WhyRow::Kind::fight, .title = tr("Depth fighting"), .sentence = said});
+        said.push_back(seen->fragment.object_index == object
+                           ? message("By exact depth, the neighboring pixel shows the same surface.")
+                           : message("By exact depth, the neighboring pixel shows {surface}.",
+                                     "surface"_a = surface_name(question, seen->fragment.object_index)));
+    made.rows.push_back(
+        {.kind = WhyRow::Kind::fight, .title = message("Depth fighting"), .sentences = {listed(said, " ")}});
 }
 
 void add_sample_row(Why& made, const WhyQuestion& question) {
@@ -333,13 +337,13 @@ void add_sample_row(Why& made, const WhyQuestion& question) {
     // In GL's usual pattern, a pixel's four samples lie at pixel centers of a picture four times as wide and four times
     // as high. `places` lists these pixels, counted from the top left of the large pixel.
     static constexpr glm::ivec2 places[] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
-    std::vector<std::pair<std::string, int>> seen;
+    std::vector<std::pair<Message, int>> seen;
     for (const glm::ivec2& place : places) {
         const PixelChain chain =
             pixel_chain(question.plan, question.finder, 4 * question.pixel + place, 4 * question.viewport.size_px);
         const Touch* surface = chain.surface(question.plan);
-        const std::string name =
-            surface ? surface_name(question, surface->fragment.object_index) : tr("the background");
+        const Message name =
+            surface ? surface_name(question, surface->fragment.object_index) : message("the background");
         const auto known = std::find_if(seen.begin(), seen.end(), [&](const auto& one) { return one.first == name; });
         if (known == seen.end())
             seen.emplace_back(name, 1);
@@ -347,24 +351,24 @@ void add_sample_row(Why& made, const WhyQuestion& question) {
             ++known->second;
     }
     if (seen.size() == 1) return;
-    std::vector<std::string> parts;
+    std::vector<Message> parts;
     for (const auto& [name, count] : seen)
-        parts.push_back(say("{surface}: {count} of 4", "surface"_a = name, "count"_a = count));
+        parts.push_back(message("{surface}: {count} of 4", "surface"_a = name, "count"_a = count));
     made.rows.push_back({.kind = WhyRow::Kind::samples,
-                         .title = tr("Samples"),
-                         .sentence = say("With multisampling, several surfaces share this pixel: {surfaces}.",
-                                         "surfaces"_a = joined(parts))});
+                         .title = message("Samples"),
+                         .sentences = {message("With multisampling, several surfaces share this pixel: {surfaces}.",
+                                               "surfaces"_a = listed(parts))}});
 }
 
 namespace {
 
 /// Compares the explained color with the one in the buffer.
-std::string read_back_text(const Why& made, const Color& read_back) {
+Message read_back_text(const Why& made, const Color& read_back) {
     const Color& color = *made.predicted;
-    if (!is_same_color(color, read_back)) return say("but {color} is read back", "color"_a = hex_of(read_back));
-    if (made.chain.is_as_rounded()) return tr("as read back; two depths are so close that rounding decides");
-    if (hex_of(color) == hex_of(read_back)) return tr("as read back");
-    return say("read back as {color}: rounding to 8 bits", "color"_a = hex_of(read_back));
+    if (!is_same_color(color, read_back)) return message("but {color} is read back", "color"_a = hex_of(read_back));
+    if (made.chain.is_as_rounded()) return message("as read back; two depths are so close that rounding decides");
+    if (hex_of(color) == hex_of(read_back)) return message("as read back");
+    return message("read back as {color}: rounding to 8 bits", "color"_a = hex_of(read_back));
 }
 
 }  // namespace
@@ -384,32 +388,32 @@ void add_sum_row(Why& made, const WhyQuestion& question) {
     for (const Touch& touch : made.chain.touches) add(touch.share, touch.color.srgb);
     const Color& color = *made.predicted;
     const std::string result = hex_of(color);
-    std::string said = sum == result ? result : sum + " = " + result;
+    Message said = verbatim(sum == result ? result : sum + " = " + result);
     switch (question.plan.shows) {
         case Shows::stencil:
-            said = say("stencil {value} is shown as {color}", "value"_a = made.chain.stencil, "color"_a = result);
+            said = message("stencil {value} is shown as {color}", "value"_a = made.chain.stencil, "color"_a = result);
             break;
         case Shows::depth:
             said = made.chain.has_depth
-                       ? say("depth code {code} is shown as {color}",
-                             "code"_a = code_text(made.chain.stored, precision(question)), "color"_a = result)
-                       : say("nothing wrote depth: shown as {color}", "color"_a = result);
+                       ? message("depth code {code} is shown as {color}",
+                                 "code"_a = code_text(made.chain.stored, precision(question)), "color"_a = result)
+                       : message("nothing wrote depth: shown as {color}", "color"_a = result);
             break;
         case Shows::overdraw:
-            said =
-                say_count(static_cast<std::int64_t>(made.chain.times_painted()), "color written once: shown as {color}",
-                          "color written {count} times: shown as {color}", "color"_a = result);
+            said = message_count(static_cast<std::int64_t>(made.chain.times_painted()),
+                                 "color written once: shown as {color}",
+                                 "color written {count} times: shown as {color}", "color"_a = result);
             break;
         case Shows::facing:
             if (const Touch* surface = made.chain.surface(question.plan))
-                said = surface->fragment.front_facing ? say("the front face is shown as {color}", "color"_a = said)
-                                                      : say("the back face is shown as {color}", "color"_a = said);
+                said = surface->fragment.front_facing ? message("the front face is shown as {color}", "color"_a = said)
+                                                      : message("the back face is shown as {color}", "color"_a = said);
             break;
         default:
             break;
     }
-    if (question.read_back) said += ", " + read_back_text(made, *question.read_back);
-    made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentence = said, .after = color});
+    if (question.read_back) said = listed({said, read_back_text(made, *question.read_back)});
+    made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentences = {said}, .after = color});
 }
 
 }  // namespace viewing

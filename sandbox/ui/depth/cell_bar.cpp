@@ -39,7 +39,7 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
 /// to the old scene.
 std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
-    return is_known ? name_of(call, plan, scene) : "…";
+    return is_known ? say(name_of(call, plan, scene)) : "…";
 }
 
 /// Draws a list from which to choose one call or all of them. Choosing changes `limit`.

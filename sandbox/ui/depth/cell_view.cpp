@@ -180,7 +180,7 @@ std::string told(const ViewParams& view, const DepthData& data, const FramePlan&
     const std::optional<Fragment> incoming = index < data.incoming.size() ? data.incoming[index] : std::nullopt;
     if (!incoming && before == after && !tells_fragments(plan, data.calls, view.call))
         return tr("This triangle leaves the pixel unchanged.");
-    return cell_sentence(incoming, before, after, precision_of(plan.depth_format));
+    return say(cell_sentence(incoming, before, after, precision_of(plan.depth_format)));
 }
 
 void draw_sentence(const std::string& sentence, const Rect& rect) {

@@ -28,7 +28,7 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
     const int most_ticks = static_cast<int>(std::clamp((room.x - px(28.0F)) / px(6.0F), 2.0F, 128.0F));
     const DepthCodes codes = depth_codes(coding.lens, coding.mapping, coding.precision, most_ticks);
     const std::string told =
-        tick_words(codes, coding.precision) + " " + codes_sentence(coding.lens, coding.mapping, coding.precision);
+        tick_words(codes, coding.precision) + " " + say(codes_sentence(coding.lens, coding.mapping, coding.precision));
     const float below = note_height(told.c_str()) + ImGui::GetStyle().ItemSpacing.y;
 
     const bool is_reversed = coding.mapping == DepthMapping::reversed;

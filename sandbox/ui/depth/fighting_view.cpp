@@ -324,6 +324,7 @@ void draw_totals(const FightingReport& report, bool is_brief) {
 /// number of wrong pixels elsewhere.
 void draw_cure(Session& session, const FightingReport::Cured& cured, float width, bool is_behind) {
     const Cure& cure = cured.cure;
+    const std::string name = say(cure.name);
     const std::optional<FightingCounts>& counts = cured.counts;
     const bool is_so = cure.params == session.params;
     ImGui::BeginGroup();
@@ -333,13 +334,13 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
         ImGui::PushStyleColor(ImGuiCol_Text, is_behind ? palette().quiet : color);
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
-        widgets::Record((cure.name + ": " + text).c_str());
+        widgets::Record((name + ": " + text).c_str());
     };
-    if (!widgets::OffersButton(cure.name.c_str()))
-        number(cure.name, palette().text);
-    else if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("Already applied.")))
+    if (!widgets::OffersButton(name.c_str()))
+        number(name, palette().text);
+    else if (widgets::SmallButton(name.c_str(), !is_so, tr("Already applied.")))
         session.params = cure.params;
-    widgets::Tooltip(cure.name.c_str(), cure.explanation.c_str());
+    widgets::Tooltip(name.c_str(), say(cure.explanation).c_str());
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     if (!counts) {
         number("…", palette().quiet);
@@ -363,7 +364,7 @@ void draw_cures(Session& session, const FightingReport& report) {
     float end = right;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, px(2.0F)});
     for (const FightingReport::Cured& cured : report.cured) {
-        const float width = widgets::SmallButtonWidth(cured.cure.name.c_str());
+        const float width = widgets::SmallButtonWidth(say(cured.cure.name).c_str());
         const float room = std::max(width, width_of("100.0%", fonts.small_number));
         if (end + between + room <= right) ImGui::SameLine(0.0F, between + end - ImGui::GetItemRectMax().x);
         end = ImGui::GetCursorScreenPos().x + room;

@@ -68,9 +68,9 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
                      number_text(fragment.eye_z, 3),
                      fragment.front_facing ? tr("front") : tr("back"),
                      code_text(fragment.stored, precision),
-                     test.compare,
-                     row.is_seen ? say("{result}, seen", "result"_a = test.result) : test.result};
-        row.explanation = decision_sentence(fragment, precision) + "\n" +
+                     say(test.compare),
+                     row.is_seen ? say("{result}, seen", "result"_a = test.result) : say(test.result)};
+        row.explanation = say(decision_sentence(fragment, precision)) + "\n" +
                           say("stored code {code} (GL's code may differ by ±{within}), code width Δz {step}",
                               "code"_a = code_text(fragment.stored, precision),
                               "within"_a = grouped_number(static_cast<std::int64_t>(std::min(fragment.within, 1e15))),

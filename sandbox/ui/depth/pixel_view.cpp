@@ -132,7 +132,7 @@ void draw_pixel_view(Session& session, const Derived& derived, const DepthData& 
     if (data.pixel) return draw_pixel(session, derived, data);
     if (pinned.why_none.empty())
         offer("Point at the camera view to see what a pixel stores; click to pin the pixel.");
-    else if (offer(pinned.why_none.c_str(), "Release"))
+    else if (offer(say(pinned.why_none).c_str(), "Release"))
         release_pixel(session.params.view);
 }
 

@@ -87,7 +87,7 @@ public:
 
 private:
     void add(const StepCurve& curve, bool is_current) {
-        names_.push_back(short_name(curve.format, curve.mapping));
+        names_.push_back(say(short_name(curve.format, curve.mapping)));
         shown_.push_back({.name = names_.back().c_str(),
                           .color = color_of(curve.mapping),
                           .points = curve.points,
@@ -111,10 +111,13 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
     std::vector<widgets::DepthMark> marks;
-    for (const DistanceMark& thing : things)
-        if (thing.z > 0.0)
-            marks.push_back(
-                {is_small || is_on_stage ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
+    std::vector<std::string> labels;
+    labels.reserve(things.size());
+    for (const DistanceMark& thing : things) {
+        if (thing.z <= 0.0) continue;
+        labels.push_back(is_small || is_on_stage ? "" : say(thing.label));
+        marks.push_back({labels.back().c_str(), thing.z, thing.is_plane ? palette().plane : 0});
+    }
     const ProjectionParams defaults;
     ProjectionParams& projection = params.projection;
     double chart_near = projection.near > 0.0 ? projection.near : usual_min_distance;  // the axis has no place for 0
@@ -136,7 +139,8 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
 /// A sentence of advice and its button, which is on the same line if both fit and below the sentence otherwise.
 class AdviceLine {
 public:
-    explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
+    explicit AdviceLine(const NearAdvice& advice)
+        : advice_(advice), sentence_(say(advice.sentence)), room_(ImGui::GetContentRegionAvail().x) {
         if (!has_button()) return;
         const float width = ImGui::CalcTextSize(tr(button())).x + px(24.0F);
         if (room_ - width >= px(240.0F))
@@ -149,7 +153,7 @@ public:
     void draw(Params& params) const {
         ImGui::BeginChild("advice", {room_ - button_width_, sentence_height()}, false, ImGuiWindowFlags_NoScrollbar);
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
-        widgets::Trouble(advice_.sentence.c_str());
+        widgets::Trouble(sentence_.c_str());
         ImGui::PopFont();
         ImGui::EndChild();
         widgets::MarkTarget("advice");
@@ -165,12 +169,13 @@ private:
     const char* button() const { return advice_.cuts ? marked("Lower near") : marked("Raise near"); }
     float sentence_height() const {
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
-        const float height = widgets::TroubleHeight(advice_.sentence.c_str(), room_ - button_width_);
+        const float height = widgets::TroubleHeight(sentence_.c_str(), room_ - button_width_);
         ImGui::PopFont();
         return height + px(4.0F);
     }
 
     const NearAdvice& advice_;
+    std::string sentence_;
     float room_;                                        ///< width available to the sentence and the button
     float button_width_ = 0.0F, button_height_ = 0.0F;  ///< width taken from the sentence, or height added below
 };

@@ -57,7 +57,7 @@ void start(GrowthViewState& state, const Scene& scene) {
                            scene](WorkProgress& progress) -> Result<std::vector<GrowthRow>> {
         GrowthRequest request{.scene = which};
         if (which == GrowthScene::own_polygons) {
-            if (const Status fits = check_hidden_budget(scene, true); !fits) return Error{fits.error()};
+            if (const Message refusal = beyond_hidden_budget(scene, true); !refusal.empty()) return Error{say(refusal)};
             request.own_polygons = surface_of(scene).polygons;
         }
         return measure_growth(request, &progress, [&log](const GrowthRow& row) { log->add(row); });
@@ -175,14 +175,14 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
 
 /// Returns sentences that say which method is fastest for which scenes, and why some curves end early.
 std::vector<std::string> sentences(const GrowthViewState& state) {
-    std::vector<std::string> told;
-    if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
+    std::vector<Message> told{growth_summary(shown_rows(state))};
     // On stage, show only results that are the same on every machine.
-    std::string times = widgets::CurrentContext().is_on_stage ? "" : growth_times(shown_rows(state));
-    if (!times.empty()) told.push_back(std::move(times));
-    for (const GrowthRow& row : shown_rows(state))
-        if (!row.problem.empty()) told.push_back(say(row.problem));
-    return told;
+    if (!widgets::CurrentContext().is_on_stage) told.push_back(growth_times(shown_rows(state)));
+    for (const GrowthRow& row : shown_rows(state)) told.push_back(row.problem);
+    std::vector<std::string> said;
+    for (const Message& sentence : told)
+        if (!sentence.empty()) said.push_back(say(sentence));
+    return said;
 }
 
 void draw_results(GrowthViewState& state, const Session& session, bool wants_picture) {

@@ -115,7 +115,7 @@ void draw_camera_numbers(const Params& params, const Derived& derived, const Lin
     }
     if (way.window_depth) code = code_text(way.code, precision_of(params.depth.format));
     line(tr("window"), place, Role::none);
-    line(tr("code"), "= " + code + ", " + outcome_of(way.cut_by),
+    line(tr("code"), "= " + code + ", " + tr(outcome_of(way.cut_by)),
          way.cut_by == FrustumPlane::none ? Role::none : Role::trouble);
 }
 

@@ -95,7 +95,7 @@ void tell_point(Lines& lines, const Derived& derived, const char* letter) {
 
 void tell_ray(Lines& lines, ShadowRay ray) {
     if (ray == ShadowRay::regular) return;
-    lines.push_back(note_line(sentence_of(ray)));
+    lines.push_back(note_line(tr(sentence_of(ray))));
     // A point in the plane is no error.
     if (ray != ShadowRay::point_in_plane) lines.back().kind = DerivationLine::Kind::trouble;
 }

@@ -101,10 +101,11 @@ void mark_call(const std::string& call, MarkedCalls& done) {
 }
 
 /// Draws a list of calls. `uploaded`: the matrix product that these calls upload, which a tooltip shows.
-void call_lines(const std::vector<std::string>& calls, MarkedCalls& done, const glm::dmat4* uploaded = nullptr) {
+void call_lines(const std::vector<Message>& calls, MarkedCalls& done, const glm::dmat4* uploaded = nullptr) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::Indent(px(12.0F));
-    for (const std::string& call : calls) {
+    for (const Message& one : calls) {
+        const std::string call = say(one);
         ImGui::TextWrapped("%s", call.c_str());
         mark_call(call, done);
         if (!uploaded || !call.starts_with("glUniformMatrix4fv")) continue;

@@ -93,7 +93,7 @@ void mark_cutting_face(Overlay& overlay, const Params& params, const Derived& de
     const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, effective_camera(derived));
     const auto& [a, b, c, d] = faces[static_cast<std::size_t>(cut_by) - 1];
     overlay.fill({corners[a], corners[b], corners[c], corners[d]}, with_alpha(palette().trouble, 70));
-    overlay.label(0.5 * (corners[a] + corners[c]), outcome_of(cut_by), palette().trouble);
+    overlay.label(0.5 * (corners[a] + corners[c]), tr(outcome_of(cut_by)), palette().trouble);
 }
 
 void slider_between(Params& params, const char* path, const Rect& row, const char* from, const char* to) {

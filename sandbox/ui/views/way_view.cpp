@@ -164,7 +164,7 @@ Said said(int step, const Derived& derived, const CameraWay& way, bool is_logari
     if (!derived.followed) return {tr("click a vertex of an object to follow it"), tr("click a vertex"), false};
     const bool is_cut = step >= 2 && way.cut_by != FrustumPlane::none;
     if (is_cut) {
-        const std::string told = say("{outcome}: {condition}", "outcome"_a = outcome_of(way.cut_by),
+        const std::string told = say("{outcome}: {condition}", "outcome"_a = tr(outcome_of(way.cut_by)),
                                      "condition"_a = condition_of(way.cut_by, derived.clip_zero_to_one));
         return {told, told, true};
     }

@@ -48,8 +48,8 @@ struct RowTexts {
 
     RowTexts(const WhyRow& row, const RowPlace& place) {
         ImGui::PushFont(place.font);
-        title = widgets::BrokenAtBlanks(row.title, place.title_width);
-        sentence = widgets::BrokenAtBlanks(row.sentence, place.text_width());
+        title = widgets::BrokenAtBlanks(say(row.title), place.title_width);
+        sentence = widgets::BrokenAtBlanks(say(listed(row.sentences, "\n")), place.text_width());
         height = std::max(ImGui::CalcTextSize(title.c_str()).y, ImGui::CalcTextSize(sentence.c_str()).y);
         ImGui::PopFont();
     }
@@ -71,7 +71,7 @@ std::vector<std::size_t> shown_rows(const Why& why) {
 RowPlace place_in(ImFont* font, const std::vector<WhyRow>& rows, const std::vector<std::size_t>& shown, float width) {
     float titles = 0.0F;
     for (const std::size_t i : shown)
-        titles = std::max(titles, font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, rows[i].title.c_str()).x);
+        titles = std::max(titles, font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, say(rows[i].title).c_str()).x);
     return {font, std::min(titles, (widgets::HasPlainTitles() ? 0.26F : 0.3F) * width), font->FontSize,
             width - px(6.0F)};
 }
@@ -121,7 +121,7 @@ void draw_buttons(WhyState& state, Session& session, const Why& why) {
     if (params.view.pass >= 0 && button(marked("Whole frame"), marked("Draws all passes again.")))
         params.view.pass = -1;
     if (button(marked("Copy as text"), marked("Copies the explanation to the clipboard.")))
-        ImGui::SetClipboardText(why_as_text(why).c_str());
+        ImGui::SetClipboardText(say(why_as_text(why)).c_str());
 }
 
 /// Draws one row: its title, its sentence, and the pixel's color after it. Returns whether the pointer is over the row.
@@ -134,7 +134,7 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
         row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) && widgets::Offers("control:view.pass");
     const bool is_pressed = ImGui::InvisibleButton("row", {place.width, texts.height});
     const bool over = ImGui::IsItemHovered();
-    widgets::Record(("why: " + row.title).c_str());
+    widgets::Record(("why: " + say(row.title)).c_str());
     ImDrawList* draw = ImGui::GetWindowDrawList();
     if (over)
         draw->AddRectFilled({at.x - px(4.0F), at.y - px(2.0F)}, {at.x + place.width, at.y + texts.height + px(2.0F)},
@@ -142,8 +142,8 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
     if (stops) {
         int& pass = session.params.view.pass;
         if (is_pressed) pass = pass == row.pass ? -1 : row.pass;
-        widgets::Tooltip(row.title.c_str(), pass == row.pass ? marked("Click to draw the whole frame.")
-                                                             : marked("Click to stop the frame after this pass."));
+        widgets::Tooltip(say(row.title).c_str(), pass == row.pass ? marked("Click to draw the whole frame.")
+                                                                  : marked("Click to stop the frame after this pass."));
     }
     const ImU32 ink = row.is_quiet ? palette().quiet : palette().text;
     const float left = at.x + place.text_left(), size = place.font->FontSize;
@@ -173,14 +173,14 @@ void draw_head(Session& session, const Why& why) {
     draw_pixel_headline(session.params.view, why.chain.pixel, color, "");
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(widgets::BrokenAtBlanks(why.sentence, width).c_str());
+    ImGui::TextUnformatted(widgets::BrokenAtBlanks(say(why.sentence), width).c_str());
     if (!why.fault.empty() && !widgets::IsCovered(fault_target)) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().trouble);
-        ImGui::TextUnformatted(widgets::BrokenAtBlanks(why.fault, width).c_str());
+        ImGui::TextUnformatted(widgets::BrokenAtBlanks(say(why.fault), width).c_str());
         ImGui::PopStyleColor();
         widgets::MarkTarget(fault_target);
     }
-    widgets::Record(why.sentence.c_str());
+    widgets::Record(say(why.sentence).c_str());
     ImGui::PopFont();
 }
 
@@ -193,7 +193,7 @@ void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned,
     if (!state.told) {
         if (pinned.why_none.empty())
             offer("Point at the camera view to see why a pixel has its color; click to pin the pixel.");
-        else if (offer(pinned.why_none.c_str(), "Release"))
+        else if (offer(say(pinned.why_none).c_str(), "Release"))
             release_pixel(session.params.view);
         return;
     }
@@ -225,14 +225,14 @@ void draw_why_overlay(const WhyState& state, Overlay& overlay) {
             case WhyLine::Kind::cut_light:
                 overlay.dot(line.from_world, palette().light, 5.0F);
                 overlay.dashed(line.from_world, line.to_world, palette().light, 2.0F);
-                if (!line.label.empty()) overlay.label(line.from_world, line.label.c_str(), palette().light);
+                if (!line.label.empty()) overlay.label(line.from_world, say(line.label).c_str(), palette().light);
                 continue;
             case WhyLine::Kind::image:
                 overlay.dashed(line.from_world, line.to_world, palette().mirror, 2.0F);
                 overlay.dot(line.to_world, palette().mirror, 5.0F);
                 break;
         }
-        if (!line.label.empty()) overlay.label(line.to_world, line.label.c_str(), palette().mirror);
+        if (!line.label.empty()) overlay.label(line.to_world, say(line.label).c_str(), palette().mirror);
     }
 }
 

@@ -106,18 +106,18 @@ TEST(DepthCodes, RunFromNearToFarInEveryFormat) {
 
 TEST(DepthCodes, SentenceSaysWhereHalfOfThemAre) {
     const Lens lens{.near = 1.0, .far = 3.0};
-    EXPECT_EQ(codes_sentence(lens, DepthMapping::standard, {24, false}),
+    EXPECT_EQ(say(codes_sentence(lens, DepthMapping::standard, {24, false})),
               "Half of all codes lie between near and z = 1.5.");  // 2nf/(n+f)
-    EXPECT_EQ(codes_sentence(lens, DepthMapping::reversed, {16, false}),
+    EXPECT_EQ(say(codes_sentence(lens, DepthMapping::reversed, {16, false})),
               "Half of all codes lie between near and z = 1.5.");
-    EXPECT_EQ(codes_sentence({.near = 1.0, .far = 100.0}, DepthMapping::logarithmic, {24, false}),
+    EXPECT_EQ(say(codes_sentence({.near = 1.0, .far = 100.0}, DepthMapping::logarithmic, {24, false})),
               "Half of all codes lie between near and z = 10.");
     // At z = 2, the standard depth is 0.75. Half of the floats from 0.5 to 1, that is 2²², are beyond it.
     EXPECT_EQ(
-        codes_sentence(lens, DepthMapping::standard, {32, true}),
+        say(codes_sentence(lens, DepthMapping::standard, {32, true})),
         "Of the 1,065,353,216 floats from 0 to 1, 4,194,304 lie in the farther half of the distance, beyond z = 2.");
     // The reversed depth there is 0.25. Of the 127 ranges with 2²³ floats each, 125 lie below it.
-    EXPECT_EQ(codes_sentence(lens, DepthMapping::reversed, {32, true}),
+    EXPECT_EQ(say(codes_sentence(lens, DepthMapping::reversed, {32, true})),
               "Of the 1,065,353,216 floats from 0 to 1, 1,048,576,000 lie in the farther half of the distance, beyond "
               "z = 2.");
 }

@@ -25,7 +25,7 @@ FramePlan planned(const std::vector<std::string>& settings, const Scene& scene) 
 
 std::vector<std::string> names(const FramePlan& frame, const Scene& scene) {
     std::vector<std::string> all;
-    for (const DrawCall& call : draw_calls(frame, scene)) all.push_back(name_of(call, frame, scene));
+    for (const DrawCall& call : draw_calls(frame, scene)) all.push_back(say(name_of(call, frame, scene)));
     return all;
 }
 

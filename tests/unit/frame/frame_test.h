@@ -50,6 +50,13 @@ inline Params params_with(const std::vector<std::string>& settings) {
     return *params;
 }
 
+/// Returns the messages in the current language.
+inline std::vector<std::string> said(const std::vector<Message>& messages) {
+    std::vector<std::string> all;
+    for (const Message& message : messages) all.push_back(say(message));
+    return all;
+}
+
 /// A preset with its scene.
 struct LoadedPreset {
     Params params;

@@ -66,7 +66,7 @@ PinnedPixel resolved(const Params& params, const Scene& scene, glm::ivec2 size_p
 TEST(PinnedPixel, NothingIsPinnedByDefault) {
     const PinnedPixel none = resolved(looking(), boxes(), sizes[0]);
     EXPECT_FALSE(none.pixel);
-    EXPECT_EQ(none.why_none, "");
+    EXPECT_TRUE(none.why_none.empty());
 }
 
 TEST(PinnedPixel, PixelByCoordinatesIsItselfOrOutside) {
@@ -75,7 +75,7 @@ TEST(PinnedPixel, PixelByCoordinatesIsItselfOrOutside) {
     EXPECT_EQ(resolved(params, boxes(), {64, 48}).pixel, glm::ivec2(60, 40));
     const PinnedPixel outside = resolved(params, boxes(), {60, 48});
     EXPECT_FALSE(outside.pixel);
-    EXPECT_NE(outside.why_none.find("outside"), std::string::npos);
+    EXPECT_NE(say(outside.why_none).find("outside"), std::string::npos);
 }
 
 TEST(PinnedPixel, FractionOfTheViewIsTheSamePlaceAtEverySize) {
@@ -95,7 +95,7 @@ TEST(PinnedPixel, ObjectIsPinnedWhereItIsVisible) {
         for (const char* name : {"front", "right", "hidden"}) {
             params.view.pin = Pin{name, {}};
             const PinnedPixel pinned = resolved(params, scene, size);
-            ASSERT_TRUE(pinned.pixel) << name << " " << size.x << ": " << pinned.why_none;
+            ASSERT_TRUE(pinned.pixel) << name << " " << size.x << ": " << say(pinned.why_none);
             EXPECT_EQ(seen_at(scene, derive(params, scene, {size}), *pinned.pixel, size), name) << size.x;
         }
 }
@@ -125,12 +125,12 @@ TEST(PinnedPixel, ReportsInvisibleObjectsInASentence) {
     const Scene behind_wall =
         scene_of({object("hidden", box_mesh(), {0, 0, -20}), object("front", box_mesh(), {0, 0, -3})});
     params.view.pin = Pin{"hidden", {}};
-    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "No part of the pinned object hidden is visible.");
+    EXPECT_EQ(say(resolved(params, behind_wall, sizes[1]).why_none), "No part of the pinned object hidden is visible.");
     params.camera.yaw = 180.0;
     params.view.pin = Pin{"front", {}};
-    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "No part of the pinned object front is visible.");
+    EXPECT_EQ(say(resolved(params, behind_wall, sizes[1]).why_none), "No part of the pinned object front is visible.");
     params.view.pin = Pin{"nobody", {}};
-    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "The scene has no object nobody to pin.");
+    EXPECT_EQ(say(resolved(params, behind_wall, sizes[1]).why_none), "The scene has no object nobody to pin.");
 }
 
 TEST(PinnedPixel, DoesNotDependOnTheLastDrawCall) {

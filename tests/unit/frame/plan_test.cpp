@@ -616,9 +616,10 @@ TEST(PlanCalls, ListTheChangesOfEachPass) {
     const FramePlan frame =
         plan_with({"shadow.offset_factor=-1.5", "cull.enabled=true", "cull.face=front", "depth.func=lequal"});
     const auto calls_of = [&](std::size_t number) {
-        return gl_calls(frame, frame.passes.at(number), number == 0 ? first_gl_state() : frame.passes.at(number - 1));
+        return testing::said(
+            gl_calls(frame, frame.passes.at(number), number == 0 ? first_gl_state() : frame.passes.at(number - 1)));
     };
-    EXPECT_EQ(clear_calls(frame),
+    EXPECT_EQ(testing::said(clear_calls(frame)),
               (Calls{"glDisable(GL_DEPTH_TEST)", "glDisable(GL_CULL_FACE)", "glStencilMask(0xFF)", "glClearDepth(1.0)",
                      "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"}));
     EXPECT_EQ(calls_of(0),  // the mask
@@ -663,8 +664,8 @@ TEST(PlanCalls, SetTheColors) {
     const FramePlan frame = plan_with({"shadow.opacity=0.25", "reflection.reflectance=0.3"});
     std::vector<std::string> all;
     for (std::size_t number = 0; number < frame.passes.size(); ++number)
-        for (const std::string& call :
-             gl_calls(frame, frame.passes[number], number == 0 ? first_gl_state() : frame.passes[number - 1]))
+        for (const std::string& call : testing::said(
+                 gl_calls(frame, frame.passes[number], number == 0 ? first_gl_state() : frame.passes[number - 1])))
             all.push_back(call);
     const auto has = [&all](const char* call) { return std::ranges::find(all, call) != all.end(); };
     EXPECT_TRUE(has("glUniform4f(light1, 2.6, -5.2, 2.2, 1.0)")) << "R mirrors the light";
@@ -694,7 +695,7 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
         Pass before;
         for (std::size_t number = 0; number < passes.size(); ++number) {
             if (number % frame.passes.size() == 0) {
-                for (const std::string& call : clear_calls(frame)) {
+                for (const std::string& call : testing::said(clear_calls(frame))) {
                     obey(call);
                     if (call.find("glClear(") != 0) continue;
                     EXPECT_TRUE(!state.contains("glStencilMask") || state["glStencilMask"] == "0xFF)");
@@ -705,7 +706,7 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
                 before = first_gl_state();
             }
             const Pass& pass = passes[number];
-            for (const std::string& call : gl_calls(frame, pass, before)) obey(call);
+            for (const std::string& call : testing::said(gl_calls(frame, pass, before))) obey(call);
             const auto is_on = [&](const char* capability) {
                 return state[std::string(capability) + ")"] == "glEnable";
             };

@@ -50,6 +50,36 @@ TEST_F(MessageTest, ListsObjectsByTheirTranslatedNames) {
     EXPECT_EQ(told.said_values(), values);
 }
 
+TEST_F(MessageTest, IsJoinedFromWholeMessages) {
+    const Message parts = listed({message("the light"), verbatim("the light"), ""}, " → ");
+    EXPECT_EQ(say(parts), "the light → the light → ");
+    EXPECT_FALSE(parts == listed({message("the light"), verbatim("the light"), ""}));
+    speak_other();
+    EXPECT_EQ(say(parts), "빛 → the light → ");
+}
+
+TEST_F(MessageTest, BecomesASentenceWhereItIsSaid) {
+    const auto shines = [](const char* name) { return message("{light} shines", "light"_a = Message(name, {})); };
+    EXPECT_EQ(say(ended(begun(shines("the light")))), "The light shines.");
+    EXPECT_EQ(say(begun(shines("n·ℓ"))), "n·ℓ shines");
+    EXPECT_EQ(say(ended("Done.")), "Done.");
+    EXPECT_EQ(say(begun(Message())), "");
+    EXPECT_FALSE(begun("so") == ended("so"));
+    speak_other();
+    EXPECT_EQ(say(ended(begun(shines("the light")))), "빛 shines.");
+}
+
+TEST_F(MessageTest, CountsAsSayCountDoes) {
+    const auto nodes = [](std::int64_t count) {
+        return message_count(count, "{count} node of {tree}", "{count} nodes of {tree}",
+                             "tree"_a = message("the light"));
+    };
+    EXPECT_EQ(say(nodes(1)), "1 node of the light");
+    EXPECT_EQ(say(nodes(1200)), "1,200 nodes of the light");
+    EXPECT_EQ(say(message_count(1, "One node.", "{count} nodes.")), "One node.");
+    EXPECT_FALSE(nodes(2) == nodes(3));
+}
+
 TEST_F(MessageTest, DiffersByTemplateAndByEachValue) {
     const auto shadow = [](int light) { return message("Shadow of light {light}", "light"_a = light); };
     const auto inside = [](const Message& pass) {
