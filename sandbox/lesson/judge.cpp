@@ -6,6 +6,7 @@
 #include "lesson/question_kind.h"
 
 namespace viewing {
+
 Json constants_of(const Ask& ask) {
     return ask.constants.empty() ? Json::object() : Json::parse(ask.constants);
 }
@@ -21,6 +22,13 @@ bool is_measured(const Ask& ask) {
                        [](const WrongAnswer& wrong) { return is_measured(wrong.when); });
 }
 
+Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
+    return kind_of(ask).model(ask, surroundings);
+}
+
+namespace {
+
+/// Returns the answer as expressions see it: a number, a list of numbers, a list of rows, or a list of indices.
 Json answer_as_json(const Ask& ask, const Answer& answer) {
     if (answer.empty()) return nullptr;
     if (answer.numbers.empty()) return Json(answer.items);
@@ -32,12 +40,6 @@ Json answer_as_json(const Ask& ask, const Answer& answer) {
         rows.push_back(Json(std::vector<double>(row, row + columns)));
     return rows;
 }
-
-Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
-    return kind_of(ask).model(ask, surroundings);
-}
-
-namespace {
 
 Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
     const QuestionKind& kind = kind_of(ask);

@@ -51,9 +51,6 @@ Surroundings with_constants(const Ask& ask, Surroundings surroundings);
 /// Whether judging an answer needs a measurement, which may take a second.
 bool is_measured(const Ask& ask);
 
-/// Returns the answer as expressions see it: a number, a list of numbers, a list of rows, or a list of indices.
-Json answer_as_json(const Ask& ask, const Answer& answer);
-
 /// Computes the right answer in these surroundings; the result is empty for a goal. Fails with the expression's error.
 Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings);
 

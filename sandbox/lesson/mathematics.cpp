@@ -72,12 +72,9 @@ int count_of(lua_State* lua, int table) {
     return static_cast<int>(lua_rawlen(lua, table)) + (first_index(lua, table) == 0 ? 1 : 0);
 }
 
-double number_at(lua_State* lua, int argument, int table, int index) {
-    lua_rawgeti(lua, table, index);
+double number_on_top(lua_State* lua, int argument) {
     if (lua_type(lua, -1) != LUA_TNUMBER) luaL_argerror(lua, argument, "its entries must be numbers");
-    const double number = lua_tonumber(lua, -1);
-    lua_pop(lua, 1);
-    return number;
+    return lua_tonumber(lua, -1);
 }
 
 int size_at(lua_State* lua, int argument, int table) {
@@ -97,31 +94,27 @@ Tensor tensor_at(lua_State* lua, int argument) {
     const int first = first_index(lua, argument);
     for (int row = 0; row < result.rows; ++row) {
         lua_rawgeti(lua, argument, first + row);
-        if (lua_type(lua, -1) == LUA_TTABLE) {
-            const int inner = lua_gettop(lua), columns = size_at(lua, argument, inner);
-            if (row > 0 && columns != result.columns) luaL_argerror(lua, argument, "its rows differ in length");
-            result.columns = columns;
-            const int first_column = first_index(lua, inner);
-            for (int column = 0; column < columns; ++column)
-                result.entry(row, column) = number_at(lua, argument, inner, first_column + column);
-        } else {
-            if (result.columns > 0) luaL_argerror(lua, argument, "its rows differ in length");
-            result[row] = number_at(lua, argument, argument, first + row);
+        const int inner = lua_gettop(lua);
+        const int columns = lua_type(lua, inner) == LUA_TTABLE ? size_at(lua, argument, inner) : 0;
+        if (row > 0 && columns != result.columns) luaL_argerror(lua, argument, "its rows differ in length");
+        result.columns = columns;
+        if (columns == 0) result[row] = number_on_top(lua, argument);
+        for (int column = 0; column < columns; ++column) {
+            lua_rawgeti(lua, inner, first_index(lua, inner) + column);
+            result.entry(row, column) = number_on_top(lua, argument);
+            lua_pop(lua, 1);
         }
         lua_pop(lua, 1);
     }
     return result;
 }
 
-double scalar_at(lua_State* lua, int argument) {
-    return luaL_checknumber(lua, argument);
-}
-
-Tensor vector_at(lua_State* lua, int argument, int least = 1, int most = largest_dimension) {
+/// Returns a vector, with as many entries as `size` says unless it is 0.
+Tensor vector_at(lua_State* lua, int argument, int size = 0) {
     const Tensor vector = tensor_at(lua, argument);
-    if (!vector.is_vector() || vector.rows < least || vector.rows > most)
+    if (!vector.is_vector() || (size > 0 && vector.rows != size))
         luaL_argerror(lua, argument,
-                      least == most ? least == 3 ? "must have 3 entries" : "must have 4 entries" : "must be a vector");
+                      size == 0 ? "must be a vector" : lua_pushfstring(lua, "must have %d entries", size));
     return vector;
 }
 
@@ -137,29 +130,30 @@ Tensor square_at(lua_State* lua, int argument) {
     return matrix;
 }
 
-int push(lua_State* lua, const Tensor& tensor) {
-    if (tensor.is_number()) {
-        lua_pushnumber(lua, tensor[0]);
-        return 1;
+void push_row(lua_State* lua, const double* numbers, int count) {
+    lua_createtable(lua, count, 1);
+    for (int i = 0; i < count; ++i) {
+        lua_pushnumber(lua, numbers[i]);
+        lua_rawseti(lua, -2, i);
     }
-    lua_createtable(lua, tensor.rows, 1);
-    for (int row = 0; row < tensor.rows; ++row) {
-        if (tensor.is_vector()) {
-            lua_pushnumber(lua, tensor[row]);
-        } else {
-            lua_createtable(lua, tensor.columns, 1);
-            for (int column = 0; column < tensor.columns; ++column) {
-                lua_pushnumber(lua, tensor.entry(row, column));
-                lua_rawseti(lua, -2, column);
-            }
-        }
-        lua_rawseti(lua, -2, row);
-    }
-    return 1;
 }
 
 int push(lua_State* lua, double number) {
     lua_pushnumber(lua, number);
+    return 1;
+}
+
+int push(lua_State* lua, const Tensor& tensor) {
+    if (tensor.is_number()) return push(lua, tensor[0]);
+    if (tensor.is_vector()) {
+        push_row(lua, tensor.at.data(), tensor.rows);
+        return 1;
+    }
+    lua_createtable(lua, tensor.rows, 1);
+    for (int row = 0; row < tensor.rows; ++row) {
+        push_row(lua, &tensor.at[static_cast<std::size_t>(row * tensor.columns)], tensor.columns);
+        lua_rawseti(lua, -2, row);
+    }
     return 1;
 }
 
@@ -187,7 +181,7 @@ int times(lua_State* lua) {
 
 /// Transforms a point by a matrix: appends w = 1 and divides by the resulting w. A 3 × 3 matrix has no w.
 int apply(lua_State* lua) {
-    const Tensor matrix = matrix_at(lua, 1), point = vector_at(lua, 2, 3, 3);
+    const Tensor matrix = matrix_at(lua, 1), point = vector_at(lua, 2, 3);
     if (matrix.rows == 3) return push(lua, product(lua, matrix, point));
     Tensor homogeneous = vector_of(4);
     for (int i = 0; i < 3; ++i) homogeneous[i] = point[i];
@@ -210,53 +204,45 @@ int mul(lua_State* lua) {
     return push(lua, result);
 }
 
-Tensor transposed(const Tensor& matrix) {
+int transpose(lua_State* lua) {
+    const Tensor matrix = matrix_at(lua, 1);
     Tensor result{matrix.columns, matrix.rows, {}};
     for (int row = 0; row < matrix.rows; ++row)
         for (int column = 0; column < matrix.columns; ++column) result.entry(column, row) = matrix.entry(row, column);
-    return result;
+    return push(lua, result);
 }
 
-int transpose(lua_State* lua) {
-    return push(lua, transposed(matrix_at(lua, 1)));
-}
-
-/// The result of Gaussian elimination with partial pivoting on [M | I], which also yields the determinant.
 struct Eliminated {
     Tensor inverse;
     double determinant = 1.0;
 };
 
-Eliminated eliminated(Tensor matrix) {
+/// Gaussian elimination with partial pivoting on [M | I], which also yields the determinant.
+Eliminated eliminated(const Tensor& matrix) {
     const int size = matrix.rows;
-    Eliminated result{identity_of(size), 1.0};
+    std::array<std::array<double, 2 * largest_dimension>, largest_dimension> rows{};
+    for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) rows[row][column] = matrix.entry(row, column);
+        rows[row][size + row] = 1.0;
+    }
+    Eliminated result{square(size), 1.0};
     for (int column = 0; column < size; ++column) {
         int pivot = column;
         for (int row = column + 1; row < size; ++row)
-            if (std::abs(matrix.entry(row, column)) > std::abs(matrix.entry(pivot, column))) pivot = row;
-        if (matrix.entry(pivot, column) == 0.0) return {{}, 0.0};
-        if (pivot != column) {
-            result.determinant = -result.determinant;
-            for (int k = 0; k < size; ++k) {
-                std::swap(matrix.entry(pivot, k), matrix.entry(column, k));
-                std::swap(result.inverse.entry(pivot, k), result.inverse.entry(column, k));
-            }
-        }
-        const double value = matrix.entry(column, column);
-        result.determinant *= value;
-        for (int k = 0; k < size; ++k) {
-            matrix.entry(column, k) /= value;
-            result.inverse.entry(column, k) /= value;
-        }
+            if (std::abs(rows[row][column]) > std::abs(rows[pivot][column])) pivot = row;
+        const double value = rows[pivot][column];
+        if (value == 0.0) return {{}, 0.0};
+        std::swap(rows[pivot], rows[column]);
+        result.determinant *= pivot == column ? value : -value;
+        for (double& entry : rows[column]) entry /= value;
         for (int row = 0; row < size; ++row) {
-            const double factor = matrix.entry(row, column);
+            const double factor = rows[row][column];
             if (row == column || factor == 0.0) continue;
-            for (int k = 0; k < size; ++k) {
-                matrix.entry(row, k) -= factor * matrix.entry(column, k);
-                result.inverse.entry(row, k) -= factor * result.inverse.entry(column, k);
-            }
+            for (int k = 0; k < 2 * size; ++k) rows[row][k] -= factor * rows[column][k];
         }
     }
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column) result.inverse.entry(row, column) = rows[row][size + column];
     return result;
 }
 
@@ -273,26 +259,17 @@ int det(lua_State* lua) {
 // ---- the lecture's matrices ----------------------------------------------------------------------------------------
 
 int translation(lua_State* lua) {
-    const Tensor by = vector_at(lua, 1, 3, 3);
+    const Tensor by = vector_at(lua, 1, 3);
     Tensor result = identity_of(4);
     for (int i = 0; i < 3; ++i) result.entry(i, 3) = by[i];
     return push(lua, result);
 }
 
-int push_rotation(lua_State* lua, const glm::dvec3& axis) {
-    return push(lua, tensor_of(glm::rotate(glm::dmat4(1.0), glm::radians(scalar_at(lua, 1)), axis)));
-}
-
-int rotation_x(lua_State* lua) {
-    return push_rotation(lua, {1.0, 0.0, 0.0});
-}
-
-int rotation_y(lua_State* lua) {
-    return push_rotation(lua, {0.0, 1.0, 0.0});
-}
-
-int rotation_z(lua_State* lua) {
-    return push_rotation(lua, {0.0, 0.0, 1.0});
+template <int axis>
+int rotation(lua_State* lua) {
+    glm::dvec3 about(0.0);
+    about[axis] = 1.0;
+    return push(lua, tensor_of(glm::rotate(glm::dmat4(1.0), glm::radians(luaL_checknumber(lua, 1)), about)));
 }
 
 int rotation_of(lua_State* lua) {
@@ -305,11 +282,11 @@ int rotation_of(lua_State* lua) {
 }
 
 int reflection_matrix(lua_State* lua) {
-    return push(lua, tensor_of(mirror_matrix(dvec4_of(vector_at(lua, 1, 4, 4)))));
+    return push(lua, tensor_of(mirror_matrix(dvec4_of(vector_at(lua, 1, 4)))));
 }
 
 int shadow_matrix_of(lua_State* lua) {
-    return push(lua, tensor_of(shadow_matrix(dvec4_of(vector_at(lua, 1, 4, 4)), dvec4_of(vector_at(lua, 2, 4, 4)))));
+    return push(lua, tensor_of(shadow_matrix(dvec4_of(vector_at(lua, 1, 4)), dvec4_of(vector_at(lua, 2, 4)))));
 }
 
 // ---- vectors -------------------------------------------------------------------------------------------------------
@@ -349,28 +326,21 @@ int dot(lua_State* lua) {
 }
 
 int cross(lua_State* lua) {
-    const Tensor a = vector_at(lua, 1, 3, 3), b = vector_at(lua, 2, 3, 3);
+    const Tensor a = vector_at(lua, 1, 3), b = vector_at(lua, 2, 3);
     Tensor result = vector_of(3);
     for (int i = 0; i < 3; ++i) result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
     return push(lua, result);
 }
 
-int push_sum(lua_State* lua, double sign) {
+template <int sign>
+int sum(lua_State* lua) {
     auto [a, b] = alike(lua);
     for (int i = 0; i < a.size(); ++i) a[i] += sign * b[i];
     return push(lua, a);
 }
 
-int add(lua_State* lua) {
-    return push_sum(lua, 1.0);
-}
-
-int sub(lua_State* lua) {
-    return push_sum(lua, -1.0);
-}
-
 int scale(lua_State* lua) {
-    const double factor = scalar_at(lua, 1);
+    const double factor = luaL_checknumber(lua, 1);
     Tensor tensor = tensor_at(lua, 2);
     for (int i = 0; i < tensor.size(); ++i) tensor[i] *= factor;
     return push(lua, tensor);
@@ -386,14 +356,14 @@ bool are_close(const Tensor& a, const Tensor& b, double tolerance) {
 }
 
 int close(lua_State* lua) {
-    return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), scalar_at(lua, 3)));
+    return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), luaL_checknumber(lua, 3)));
 }
 
 /// Compares two tensors up to a factor: finds the position of the first tensor's largest entry, and divides each tensor
 /// by its own entry at that position, which becomes 1 in both.
 int same_map(lua_State* lua) {
     Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
-    const double tolerance = scalar_at(lua, 3);
+    const double tolerance = luaL_checknumber(lua, 3);
     if (!a.has_shape_of(b)) return push_truth(lua, false);
     int largest = 0;
     for (int i = 0; i < a.size(); ++i)
@@ -411,42 +381,14 @@ int same_map(lua_State* lua) {
 
 template <double (*of)(double)>
 int number_function(lua_State* lua) {
-    return push(lua, of(scalar_at(lua, 1)));
-}
-
-double absolute(double x) {
-    return std::abs(x);
-}
-double square_root(double x) {
-    return std::sqrt(x);
-}
-double sine(double x) {
-    return std::sin(x);
-}
-double cosine(double x) {
-    return std::cos(x);
-}
-double tangent(double x) {
-    return std::tan(x);
-}
-double arc_tangent(double x) {
-    return std::atan(x);
-}
-double rounded(double x) {
-    return std::round(x);
-}
-double radians_of(double degrees) {
-    return glm::radians(degrees);
-}
-double degrees_of(double radians) {
-    return glm::degrees(radians);
+    return push(lua, of(luaL_checknumber(lua, 1)));
 }
 
 template <bool wants_largest>
 int extreme(lua_State* lua) {
-    double result = scalar_at(lua, 1);
+    double result = luaL_checknumber(lua, 1);
     for (int i = 2, count = lua_gettop(lua); i <= count; ++i) {
-        const double number = scalar_at(lua, i);
+        const double number = luaL_checknumber(lua, i);
         result = wants_largest ? std::max(result, number) : std::min(result, number);
     }
     return push(lua, result);
@@ -460,37 +402,31 @@ int count(lua_State* lua) {
 
 // ---- lists ---------------------------------------------------------------------------------------------------------
 
-/// Calls `each` with every entry's index, from 0, while the entry is on top of the stack.
-template <typename Each>
-void for_each_entry(lua_State* lua, int table, const Each& each) {
-    luaL_checktype(lua, table, LUA_TTABLE);
-    const int first = first_index(lua, table), size = count_of(lua, table);
-    for (int i = 0; i < size; ++i) {
-        lua_rawgeti(lua, table, first + i);
-        each(i);
-        lua_pop(lua, 1);
-    }
-}
-
-/// Pushes a list with the value of `of(code)` for the stored code of each fragment. Lua's first argument is a list of
-/// fragments, such as `pixel(x, y).fragments`.
+/// Pushes a list with the value of `of()` for each entry of the list that is Lua's first argument, while the entry is
+/// on top of the stack.
 template <typename Of>
-int push_codes(lua_State* lua, const Of& of) {
+int push_list(lua_State* lua, const Of& of) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
     lua_createtable(lua, 0, 0);
-    const int result = lua_gettop(lua);
-    for_each_entry(lua, 1, [&](int i) {
-        if (lua_type(lua, -1) != LUA_TTABLE || lua_getfield(lua, -1, "stored") != LUA_TNUMBER)
-            luaL_argerror(lua, 1, "must be the fragments of a pixel");
-        const double code = lua_tonumber(lua, -1);
-        lua_pop(lua, 1);
-        lua_pushnumber(lua, of(code));
+    const int result = lua_gettop(lua), first = first_index(lua, 1), size = count_of(lua, 1);
+    for (int i = 0; i < size; ++i) {
+        lua_rawgeti(lua, 1, first + i);
+        lua_pushnumber(lua, of());
         lua_rawseti(lua, result, i);
-    });
+        lua_settop(lua, result);
+    }
     return 1;
 }
 
+/// Returns the stored code of the fragment on top of the stack.
+double code_of(lua_State* lua) {
+    if (lua_type(lua, -1) != LUA_TTABLE || lua_getfield(lua, -1, "stored") != LUA_TNUMBER)
+        luaL_argerror(lua, 1, "must be the fragments of a pixel");
+    return lua_tonumber(lua, -1);
+}
+
 int codes(lua_State* lua) {
-    return push_codes(lua, [](double code) { return code; });
+    return push_list(lua, [&] { return code_of(lua); });
 }
 
 int trace(lua_State* lua) {
@@ -500,30 +436,24 @@ int trace(lua_State* lua) {
     if (at == names.end()) luaL_argerror(lua, 2, "must be the name of a depth function, such as less");
     const auto func = static_cast<CompareFunc>(at - names.begin());
     double stored = luaL_optnumber(lua, 3, 255.0);
-    return push_codes(lua, [&](double code) { return compare(func, code, stored) ? stored = code : stored; });
+    return push_list(lua, [&] {
+        const double code = code_of(lua);
+        return compare(func, code, stored) ? stored = code : stored;
+    });
 }
 
 int reversed(lua_State* lua) {
-    lua_createtable(lua, 0, 0);
-    const int result = lua_gettop(lua);
     luaL_checktype(lua, 1, LUA_TTABLE);
-    const int size = count_of(lua, 1);
-    for_each_entry(lua, 1, [&](int i) {
-        lua_pushvalue(lua, -1);
-        lua_rawseti(lua, result, size - 1 - i);
-    });
+    lua_createtable(lua, 0, 0);
+    for (int i = 0, size = count_of(lua, 1), last = first_index(lua, 1) + size - 1; i < size; ++i) {
+        lua_rawgeti(lua, 1, last - i);
+        lua_rawseti(lua, -2, i);
+    }
     return 1;
 }
 
 int places(lua_State* lua) {
-    lua_createtable(lua, 0, 0);
-    const int result = lua_gettop(lua);
-    for_each_entry(lua, 1, [&](int i) {
-        if (lua_type(lua, -1) != LUA_TNUMBER) luaL_argerror(lua, 1, "its entries must be numbers");
-        lua_pushnumber(lua, lua_tonumber(lua, -1) - 1.0);
-        lua_rawseti(lua, result, i);
-    });
-    return 1;
+    return push_list(lua, [&] { return number_on_top(lua, 1) - 1.0; });
 }
 
 int text_of_number(lua_State* lua) {
@@ -531,8 +461,7 @@ int text_of_number(lua_State* lua) {
         lua_pushvalue(lua, 1);
         return 1;
     }
-    const double number = scalar_at(lua, 1);
-    lua_pushstring(lua, shortest_number(number).c_str());
+    lua_pushstring(lua, shortest_number(luaL_checknumber(lua, 1)).c_str());
     return 1;
 }
 
@@ -549,9 +478,9 @@ constexpr Function functions[] = {
     {{"inverse", "inverse(M)", "of a square matrix; an error if there is none"}, inverse},
     {{"det", "det(M)", "determinant"}, det},
     {{"translation", "translation(v)", "4 by 4"}, translation},
-    {{"rotation_x", "rotation_x(degrees)", "4 by 4"}, rotation_x},
-    {{"rotation_y", "rotation_y(degrees)", "4 by 4"}, rotation_y},
-    {{"rotation_z", "rotation_z(degrees)", "4 by 4"}, rotation_z},
+    {{"rotation_x", "rotation_x(degrees)", "4 by 4"}, rotation<0>},
+    {{"rotation_y", "rotation_y(degrees)", "4 by 4"}, rotation<1>},
+    {{"rotation_z", "rotation_z(degrees)", "4 by 4"}, rotation<2>},
     {{"rotation_of", "rotation_of(M)", "its upper left 3 by 3 part"}, rotation_of},
     {{"reflection_matrix", "reflection_matrix(plane)", "R of (a, b, c, d), whose normal must have length 1"},
      reflection_matrix},
@@ -562,20 +491,20 @@ constexpr Function functions[] = {
     {{"norm", "norm(v)", "length"}, norm},
     {{"dot", "dot(a, b)", "a · b"}, dot},
     {{"cross", "cross(a, b)", "a × b"}, cross},
-    {{"add", "add(a, b)", "a + b"}, add},
-    {{"sub", "sub(a, b)", "a − b"}, sub},
+    {{"add", "add(a, b)", "a + b"}, sum<1>},
+    {{"sub", "sub(a, b)", "a − b"}, sum<-1>},
     {{"scale", "scale(k, v)", "k v"}, scale},
-    {{"abs", "abs(x)", "|x|"}, number_function<absolute>},
+    {{"abs", "abs(x)", "|x|"}, number_function<std::abs>},
     {{"min", "min(x, …)", "the smallest"}, extreme<false>},
     {{"max", "max(x, …)", "the largest"}, extreme<true>},
-    {{"sqrt", "sqrt(x)", "√x"}, number_function<square_root>},
-    {{"sin", "sin(radians)", "sine"}, number_function<sine>},
-    {{"cos", "cos(radians)", "cosine"}, number_function<cosine>},
-    {{"tan", "tan(radians)", "tangent"}, number_function<tangent>},
-    {{"atan", "atan(x)", "in radians"}, number_function<arc_tangent>},
-    {{"radians", "radians(degrees)", "degrees times π ÷ 180"}, number_function<radians_of>},
-    {{"degrees", "degrees(radians)", "radians times 180 ÷ π"}, number_function<degrees_of>},
-    {{"round", "round(x)", "to a whole number, halves away from 0"}, number_function<rounded>},
+    {{"sqrt", "sqrt(x)", "√x"}, number_function<std::sqrt>},
+    {{"sin", "sin(radians)", "sine"}, number_function<std::sin>},
+    {{"cos", "cos(radians)", "cosine"}, number_function<std::cos>},
+    {{"tan", "tan(radians)", "tangent"}, number_function<std::tan>},
+    {{"atan", "atan(x)", "in radians"}, number_function<std::atan>},
+    {{"radians", "radians(degrees)", "degrees times π ÷ 180"}, number_function<glm::radians>},
+    {{"degrees", "degrees(radians)", "radians times 180 ÷ π"}, number_function<glm::degrees>},
+    {{"round", "round(x)", "to a whole number, halves away from 0"}, number_function<std::round>},
     {{"text", "text(x)", "a number as a string: text(8) is '8'"}, text_of_number},
     {{"reversed", "reversed(list)", "the last entry first"}, reversed},
     {{"places", "places(list)", "every entry minus 1: places counted from 0"}, places},

@@ -72,9 +72,4 @@ const std::vector<int>& LessonRun::shown_items() const {
     return is_revealed() ? step().ask.expected_items.front() : answer().items;
 }
 
-int LessonRun::done_count() const {
-    return static_cast<int>(
-        std::count_if(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.done; }));
-}
-
 }  // namespace viewing

@@ -104,7 +104,6 @@ public:
     /// Restores earlier work on a step. `reached` is the value that reached() returns.
     void restore(std::size_t step, const Answer& answer, int hints, bool is_done, std::optional<Params> reached);
     bool is_done(std::size_t step) const { return visits_[step].done; }
-    int done_count() const;
     void set_done(std::size_t step) { visits_[step].done = true; }
 
 private:

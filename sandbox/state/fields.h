@@ -49,7 +49,7 @@ struct FurtherOverrides {
     std::array<PlaneOverrides, most_planes>* all;
 };
 
-/// A reference to a field inside a Params. Each alternative is a kind of field, which kinds.cpp declares.
+/// A reference to a field inside a Params. Each alternative is a kind of field, which state/kinds declares.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
                               Further<LightParams>, Further<PlaneParams>, std::optional<glm::dmat4>*, FurtherOverrides,
                               std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*,

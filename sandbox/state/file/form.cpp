@@ -39,10 +39,6 @@ Json name_schema() {
         {"type", "string"}, {"minLength", 1}, {"maxLength", 1024}, {"not", {{"pattern", "[\\u0000-\\u001f\\u007f]"}}}};
 }
 
-Json color_schema() {
-    return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
-}
-
 std::string document(const char* title, const std::function<Json(Json& definitions)>& content) {
     Json whole = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
     Json definitions = Json::object();
@@ -85,7 +81,9 @@ Form<int> whole(int min, int max) {
 }
 
 Form<Color> color() {
-    return {"a color \"#rrggbb\"", &Json::is_string, read_color, [](Json&) { return color_schema(); }};
+    return {"a color \"#rrggbb\"", &Json::is_string, read_color, [](Json&) {
+                return Json{{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+            }};
 }
 
 Form<glm::dvec3> vec3(const Range& range, const std::string& what) {

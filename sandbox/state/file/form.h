@@ -79,7 +79,6 @@ Json whole_in(double min, double max);
 Json one_of(std::span<const char* const> names);
 Json name_schema();
 Json object_of(Json properties);
-Json color_schema();
 /// Returns the schema of a list. `items` is one schema for all items, or an array of schemas for the first items; the
 /// items after them are like the last one.
 Json list_of(Json items, std::size_t most, std::size_t least = 0);

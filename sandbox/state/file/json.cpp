@@ -92,10 +92,6 @@ Result<SceneDescription> parse_scene(std::string_view json, std::string_view sou
     });
 }
 
-std::string write_scene(const SceneDescription& scene) {
-    return print_document(scene_as_json(scene)) + "\n";
-}
-
 std::string params_as_json() {
     Json array = Json::array();
     for (const Field& field : fields()) {

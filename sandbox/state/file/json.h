@@ -47,10 +47,8 @@ std::string setting_of(std::string_view path, const Params& params);
 /// Returns the setting that gives a field its default.
 std::string default_setting(std::string_view path);
 
-/// Reads and writes a scene: {"objects": [...]}.
+/// Reads a scene: {"objects": [...]}.
 Result<SceneDescription> parse_scene(std::string_view json, std::string_view source);
-
-std::string write_scene(const SceneDescription& scene);
 
 /// Lists every field for the `params` command, as a JSON array or as aligned text.
 std::string params_as_json();
