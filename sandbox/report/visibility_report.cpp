@@ -83,7 +83,7 @@ public:
           solver_(scene),
           objects_(solver_.surface()->object_of_source()) {
         request_.visibility.step = -1;
-        request_.visibility.method = VisibilityMethod::ray_cast;
+        request_.visibility.method = reference_method;
         HiddenRequest triangles = request_;
         triangles.visibility.exact_curves = false;
         reference_ = solver_.solve(triangles)->image;

@@ -31,7 +31,7 @@ std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequ
     if (request.size_px.x > widest_px)
         request.size_px = {widest_px, std::max(request.size_px.y * widest_px / request.size_px.x, 1)};
     const auto painted = solver.solve(request, progress);
-    request.visibility.method = VisibilityMethod::ray_cast;
+    request.visibility.method = reference_method;
     request.visibility.exact_curves = false;
     const auto seen = solver.solve(request, progress);
     if (is_canceled(progress)) return std::nullopt;
