@@ -2,26 +2,17 @@
 #include "visibility/growth_bench.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "geometry/camera.h"
 #include "geometry/projection.h"
+#include "platform/stopwatch.h"
 #include "visibility/newell.h"
 #include "visibility/painter.h"
 #include "visibility/ray_cast.h"
 
 namespace viewing {
 namespace {
-
-class Stopwatch {
-public:
-    double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - begin_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point begin_ = Clock::now();
-};
 
 /// Returns a view from outside and slightly above, in which the sphere around the bounds touches the nearer edges of
 /// the picture.

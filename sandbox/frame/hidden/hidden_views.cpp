@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frame/hidden/hidden_method.h"
+
 namespace viewing {
 namespace {
 
@@ -26,7 +28,7 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
 std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
     constexpr int widest_px = 160;
     constexpr std::size_t most_polygons = 20'000;
-    const bool is_whole = request.visibility.method == VisibilityMethod::painter && request.visibility.step < 0;
+    const bool is_whole = hidden_method(request.visibility.method).sorts_by_key && request.visibility.step < 0;
     if (!is_whole || solver.surface()->polygons.size() > most_polygons) return std::nullopt;
     if (request.size_px.x > widest_px)
         request.size_px = {widest_px, std::max(request.size_px.y * widest_px / request.size_px.x, 1)};
@@ -69,7 +71,7 @@ Message HiddenAnswer::problem() const {
 }
 
 Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question) {
-    const auto builds = [](const HiddenRequest& request) { return request.visibility.method == VisibilityMethod::bsp; };
+    const auto builds = [](const HiddenRequest& request) { return hidden_method(request.visibility.method).has_tree; };
     return check_hidden_budget(scene, builds(question.camera) || (question.other && builds(*question.other)));
 }
 

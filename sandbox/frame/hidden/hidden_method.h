@@ -1,0 +1,31 @@
+// A hidden-surface method's entry: how it finds an order or a picture, and in what it differs from other methods. Each
+// method of state/visibility_params.h has one, in a source here; ui/hidden/method_view.h says how the window shows it.
+// Read method_parts.h next.
+#pragma once
+
+#include "frame/hidden/hidden_surfaces.h"
+
+namespace viewing {
+
+struct HiddenMethod {
+    /// Finds all that is the same at every step: the polygons, their order, the steps and their groups, and counters.
+    void (*find)(HiddenData& data, HiddenResult& result, WorkProgress* progress);
+    /// Counts what the step has reached besides polygons; null if there is nothing else.
+    void (*count)(HiddenResult& result) = nullptr;
+    /// Makes the picture at the step; null if GL draws it.
+    void (*draw)(HiddenData& data, HiddenResult& result, WorkProgress* progress) = nullptr;
+    bool computes_pixels = false;  ///< decides pixel by pixel; otherwise, polygons are drawn in an order
+    bool sorts_by_key = false;     ///< sorts whole polygons by one number, which is wrong in some scenes
+    bool splits = false;           ///< cuts polygons in parts
+    bool has_tree = false;         ///< builds a BSP tree and walks it
+    bool casts_rays = false;       ///< each step is a pixel's ray
+};
+
+namespace hidden_methods {
+using Entry = HiddenMethod;
+VIEWING_METHODS(VIEWING_ENTRY)
+}  // namespace hidden_methods
+
+const HiddenMethod& hidden_method(VisibilityMethod method);
+
+}  // namespace viewing
