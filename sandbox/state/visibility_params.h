@@ -7,16 +7,10 @@
 #include "state/closed_set.h"
 #include "visibility/choices.h"
 
-/// Applies METHOD to the name of each hidden-surface method, spelled as in state files. frame/hidden/hidden_method.h
-/// and ui/hidden/method_view.h declare an entry for each, which say how it is solved and shown.
-#define VIEWING_METHODS(METHOD)   \
-    METHOD(depth_buffer)          \
-    METHOD(none)                  \
-    METHOD(painter)               \
-    METHOD(newell)                \
-    METHOD(bsp)                   \
-    METHOD(software_depth_buffer) \
-    METHOD(ray_cast)
+/// Applies ENTRY to the name of each hidden-surface method, spelled as in state files. frame/hidden/hidden_method.h
+/// declares an entry for each, which says what the method does and how it is named.
+#define VIEWING_METHODS(ENTRY) \
+    ENTRY(depth_buffer) ENTRY(none) ENTRY(painter) ENTRY(newell) ENTRY(bsp) ENTRY(software_depth_buffer) ENTRY(ray_cast)
 
 namespace viewing {
 

@@ -3,6 +3,7 @@
 
 #include "frame/hidden/method_parts.h"
 #include "platform/stopwatch.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -84,6 +85,18 @@ void count_nodes(HiddenResult& result) {
 }  // namespace
 
 const HiddenMethod hidden_methods::bsp{
-    .find = find_bsp, .count = count_nodes, .draw = paint_in_order, .splits = true, .has_tree = true};
+    .name = marked("BSP tree"),
+    .find = find_bsp,
+    .count = count_nodes,
+    .draw = paint_in_order,
+    .words = {marked("part"), marked("node"), marked("Goes to the end of this part (building the tree or walking it)."),
+              marked("Goes back to the start of this part."),
+              [](int group) {
+                  return group == 1 ? marked("building the tree: node {node} of {count}")
+                                    : marked("walking the tree: node {node} of {count}");
+              }},
+    .splits = true,
+    .has_tree = true,
+};
 
 }  // namespace viewing

@@ -1,4 +1,5 @@
-// The list of the methods' entries, and the solver that runs them. Read hidden_drawing.h next.
+// The list of the methods' entries, the entries of the methods that GL draws, and the solver. Read hidden_drawing.h
+// next.
 #include "frame/hidden/hidden_surfaces.h"
 
 #include <algorithm>
@@ -10,8 +11,10 @@
 namespace viewing {
 
 namespace hidden_methods {
+const HiddenMethod depth_buffer{.name = marked("GL depth buffer"), .find = find_scene_order};
+const HiddenMethod none{.name = marked("none"), .find = find_scene_order};
 constexpr std::array all{VIEWING_METHODS(VIEWING_ADDRESS)};
-}
+}  // namespace hidden_methods
 
 namespace {
 
@@ -35,6 +38,15 @@ void find_step(HiddenResult& result) {
 
 const HiddenMethod& hidden_method(VisibilityMethod method) {
     return *hidden_methods::all[static_cast<std::size_t>(method)];
+}
+
+std::span<const char* const> method_names() {
+    static const std::vector<const char*> names = [] {
+        std::vector<const char*> found;
+        for (const HiddenMethod* const method : hidden_methods::all) found.push_back(method->name);
+        return found;
+    }();
+    return names;
 }
 
 Message sentence_of_canceled() {

@@ -7,12 +7,6 @@
 namespace viewing {
 namespace {
 
-/// Returns whether the result's own image is the one shown. If not, GL draws the polygons and rounds the positions of
-/// their corners.
-bool has_image(const HiddenResult& result) {
-    return draws_pixels(result.request.visibility);
-}
-
 /// Returns whether only GL can draw the mirror image, in scene order, because a setting or a mistake changes R, the
 /// mirrored side or the mirrored camera's projection.
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
@@ -88,7 +82,8 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
     }
     if (question.other) {
         answer.other = solver.solve(*question.other, progress);
-        if (has_image(*answer.camera) && has_image(*answer.other))
+        // Otherwise, GL draws polygons, and rounds the positions of their corners.
+        if (draws_pixels(question.camera.visibility) && draws_pixels(question.other->visibility))
             add_difference(answer, answer.camera->image, answer.other->image);
     }
     return answer;

@@ -17,17 +17,6 @@ bool is_front_to_back(const VisibilityParams& visibility) {
     return hidden_method(visibility.method).has_tree && visibility.walk == BspOrder::front_to_back;
 }
 
-std::vector<int> counted(std::size_t count, int first) {
-    std::vector<int> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), first);
-    return numbers;
-}
-
-int as_step(std::int64_t number) {
-    constexpr std::int64_t most_steps = 1'000'000'000;
-    return static_cast<int>(std::min(number, most_steps));
-}
-
 void take_polygons(const HiddenData& data, HiddenResult& result, const WorkProgress* progress) {
     const HiddenRequest& request = result.request;
     const std::vector<Polygon>& all = data.surface->polygons;
@@ -44,15 +33,13 @@ void take_polygons(const HiddenData& data, HiddenResult& result, const WorkProgr
     result.counters.polygons = static_cast<std::int64_t>(result.fragments->size());
 }
 
-void step_by_polygon(HiddenResult& result) {
-    result.step_count = static_cast<int>(result.order.size());
-    result.order_steps = counted(result.order.size(), 1);
-}
-
 void find_scene_order(HiddenData& data, HiddenResult& result, WorkProgress* progress) {
     take_polygons(data, result, progress);
-    result.order = counted(result.fragments->size(), 0);
-    step_by_polygon(result);
+    result.order.resize(result.fragments->size());
+    std::iota(result.order.begin(), result.order.end(), 0);
+    result.order_steps.resize(result.order.size());
+    std::iota(result.order_steps.begin(), result.order_steps.end(), 1);
+    result.step_count = static_cast<int>(result.order.size());
 }
 
 RasterResult painted(const HiddenResult& result, int polygons, PaintRule rule, WorkProgress* progress,

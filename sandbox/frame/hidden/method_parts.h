@@ -12,19 +12,10 @@ FrontFace winding_for(const HiddenRequest& request);
 /// Returns whether polygons are drawn from front to back, so that covered pixels must stay as they are.
 bool is_front_to_back(const VisibilityParams& visibility);
 
-/// Returns `count` numbers from `first` on.
-std::vector<int> counted(std::size_t count, int first);
-
-/// Returns a number as that of a step, which is limited.
-int as_step(std::int64_t number);
-
 /// Gives the method the polygons that culling leaves.
 void take_polygons(const HiddenData& data, HiddenResult& result, const WorkProgress* progress);
 
-/// Makes each polygon of the order a step.
-void step_by_polygon(HiddenResult& result);
-
-/// Finds the scene's own order.
+/// Finds the scene's own order, in which each step draws a polygon.
 void find_scene_order(HiddenData& data, HiddenResult& result, WorkProgress* progress);
 
 /// Paints the order's first polygons and records the followed pixel, but stops after `stop_after` tested pixels; −1: no

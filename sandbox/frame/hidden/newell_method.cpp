@@ -4,6 +4,7 @@
 
 #include "frame/hidden/method_parts.h"
 #include "platform/stopwatch.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -56,6 +57,14 @@ void count_newell(HiddenResult& result) {
 }  // namespace
 
 const HiddenMethod hidden_methods::newell{
-    .find = find_newell, .count = count_newell, .draw = paint_in_order, .splits = true};
+    .name = marked("Newell"),
+    .find = find_newell,
+    .count = count_newell,
+    .draw = paint_in_order,
+    .words = {marked("polygon"), marked("step"), marked("Runs until the next polygon is drawn."),
+              marked("Goes back to the start of this polygon or, if already there, of the previous one."),
+              [](int) { return marked("polygon {group} of {groups}, step {within} of {size}"); }},
+    .splits = true,
+};
 
 }  // namespace viewing

@@ -1,13 +1,15 @@
 // The painter's algorithm: each step draws the farthest of the polygons that are left.
 #include "frame/hidden/method_parts.h"
 #include "platform/stopwatch.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 
 const HiddenMethod hidden_methods::painter{
+    .name = marked("painter"),
     .find =
         [](HiddenData& data, HiddenResult& result, WorkProgress* progress) {
-            take_polygons(data, result, progress);
+            find_scene_order(data, result, progress);
             const HiddenRequest& request = result.request;
             const Stopwatch watch;
             result.painter = std::make_shared<const PainterOrder>(
@@ -16,7 +18,6 @@ const HiddenMethod hidden_methods::painter{
             result.time_ms = watch.ms();
             result.counters.comparisons = result.painter->comparisons;
             result.counters.swaps = result.painter->swaps;
-            step_by_polygon(result);
         },
     .draw = paint_in_order,
     .sorts_by_key = true,

@@ -79,6 +79,14 @@ void cast(HiddenData& data, HiddenResult& result, WorkProgress* progress) {
 }  // namespace
 
 const HiddenMethod hidden_methods::ray_cast{
-    .find = find_rays, .draw = cast, .computes_pixels = true, .casts_rays = true};
+    .name = marked("ray casting"),
+    .find = find_rays,
+    .draw = cast,
+    .words = {marked("row"), marked("ray"), marked("Goes to the end of this row of rays."),
+              marked("Goes back to the start of this row."),
+              [](int) { return marked("row {group} of {groups}, ray {within} of {size}"); }},
+    .computes_pixels = true,
+    .casts_rays = true,
+};
 
 }  // namespace viewing
