@@ -13,8 +13,7 @@ namespace viewing {
 
 double start_of_cleared_code(const Params& params) {
     const DepthParams& depth = params.depth;
-    const bool refuses_ties =
-        params.visibility.method == VisibilityMethod::depth_buffer && depth.tests() && depth.func == CompareFunc::less;
+    const bool refuses_ties = params.tests_depth() && depth.func == CompareFunc::less;
     if (!refuses_ties || !is_cleared_to_farthest(depth) || has_bent_depth(depth))
         return std::numeric_limits<double>::infinity();
     const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
@@ -23,16 +22,16 @@ double start_of_cleared_code(const Params& params) {
 }
 
 bool lets_nearer_win(const Params& params) {
-    return params.visibility.method == VisibilityMethod::depth_buffer && wants_nearer(params.depth);
+    return uses_gl_depth_test(params.visibility.method) && wants_nearer(params.depth);
 }
 
 bool last_fragment_wins(const Params& params) {
-    return params.visibility.method == VisibilityMethod::none ||
-           (params.visibility.method == VisibilityMethod::depth_buffer && count_of_last_wins(params.depth) > 0);
+    const VisibilityMethod method = params.visibility.method;
+    return uses_gl_depth_test(method) ? count_of_last_wins(params.depth) > 0 : is_drawn_by_gl_alone(method);
 }
 
 bool previous_frame_hides(const Params& params) {
-    return params.visibility.method == VisibilityMethod::depth_buffer && hides_next_frame(params.depth);
+    return uses_gl_depth_test(params.visibility.method) && hides_next_frame(params.depth);
 }
 
 bool has_only_cleared_code(const Params& params, const Derived& derived, const Scene& scene) {

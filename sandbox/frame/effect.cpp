@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "frame/depth/decals.h"
+#include "frame/hidden/hidden_method.h"
 #include "state/fields.h"
 #include "text/catalogue.h"
 
@@ -18,6 +19,12 @@ double excess_of_length(const glm::dvec4& equation) {
     return glm::length(glm::dvec3(equation)) - 1.0;
 }
 
+/// Returns whether a hidden-surface method has a property of its entry.
+template <bool HiddenMethod::*property>
+bool has(VisibilityMethod method) {
+    return hidden_method(method).*property;
+}
+
 /// The state to examine.
 struct State {
     const Params& params;
@@ -25,10 +32,11 @@ struct State {
 
     bool has_decals() const { return !scene || viewing::has_decals(*scene); }
     bool has_pairs() const { return !scene || scene->made_from; }
-    bool compares_with(VisibilityMethod method) const {
-        return params.view.shows == Shows::difference && params.visibility.compare_with == method;
+    /// Returns whether one of the methods that are shown or compared has a property.
+    bool uses(bool (*property)(VisibilityMethod)) const {
+        return property(params.visibility.method) ||
+               (params.view.shows == Shows::difference && property(params.visibility.compare_with));
     }
-    bool uses(VisibilityMethod method) const { return params.visibility.method == method || compares_with(method); }
     bool receives() const {
         return std::any_of(params.planes.begin(), params.planes.end(), [](const auto& p) { return p.receives_shadow; });
     }
@@ -71,7 +79,7 @@ const Reason& reason_of(Idle idle) {
          marked("The camera's projection has no field of view, so a mirror's cannot differ from it.")},
         {Idle::no_window, [](const State& s) { return !s.params.projection.has_window(); },
          marked("Only a projection with an explicit window has edges: glFrustum or glOrtho.")},
-        {Idle::no_gl_depth_test, [](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },
+        {Idle::no_gl_depth_test, [](const State& s) { return !s.uses(uses_gl_depth_test); },
          marked("This method draws with GL's depth test off.")},
         {Idle::no_depth_buffer, [](const State& s) { return !s.params.depth.buffer; },
          marked("The window has no depth buffer.")},
@@ -114,20 +122,19 @@ const Reason& reason_of(Idle idle) {
          marked("The near plane is not oblique.")},
         {Idle::scene_mirrored, [](const State& s) { return s.params.reflection.mirrored != MirroredThing::camera; },
          marked("The scene is mirrored, not the camera.")},
-        {Idle::not_painter, [](const State& s) { return !s.uses(VisibilityMethod::painter); },
+        {Idle::not_painter, [](const State& s) { return !s.uses(has<&HiddenMethod::sorts_by_key>); },
          marked("Only the painter's algorithm uses a sort key.")},
-        {Idle::not_bsp, [](const State& s) { return !s.uses(VisibilityMethod::bsp); },
+        {Idle::not_bsp, [](const State& s) { return !s.uses(has<&HiddenMethod::has_tree>); },
          marked("Only the BSP tree has splitting planes and a walk.")},
-        {Idle::no_splits,
-         [](const State& s) { return !s.uses(VisibilityMethod::bsp) && !s.uses(VisibilityMethod::newell); },
+        {Idle::no_splits, [](const State& s) { return !s.uses(has<&HiddenMethod::splits>); },
          marked("Only Newell's algorithm and the BSP tree split polygons.")},
-        {Idle::not_ray_cast, [](const State& s) { return !s.uses(VisibilityMethod::ray_cast); },
+        {Idle::not_ray_cast, [](const State& s) { return !s.uses(has<&HiddenMethod::casts_rays>); },
          marked("Only ray casting intersects curved surfaces exactly.")},
         {Idle::culling, [](const State& s) { return s.params.cull.enabled; },
          marked("Culling needs front and back faces: while it is on, curved surfaces are drawn as triangles.")},
         {Idle::no_difference, [](const State& s) { return s.params.view.shows != Shows::difference; },
          marked("Nothing is being compared: choose 'difference' above the picture.")},
-        {Idle::ray_cast, [](const State& s) { return s.params.visibility.method == VisibilityMethod::ray_cast; },
+        {Idle::ray_cast, [](const State& s) { return has<&HiddenMethod::casts_rays>(s.params.visibility.method); },
          marked("Ray casting draws no polygons that could be numbered.")},
         {Idle::no_second_picture, [](const State& s) { return s.params.view.beside.shows == Beside::nothing; },
          marked("There is no second picture.")},

@@ -170,9 +170,9 @@ Pass Level::pass(const Message& name, const Message& reason, Subject subject) co
     std::iota(made.lights.begin(), made.lights.end(), std::size_t{0});
     made.light_strength = 1.0 / static_cast<double>(lights_world.size());
     made.sky_world = sky_world;
-    const bool gl_test = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    made.depth = {
-        .test = gl_test, .func = func_for(params.depth.func, params.depth.mapping), .write = params.depth.write};
+    made.depth = {.test = params.tests_depth(),
+                  .func = func_for(params.depth.func, params.depth.mapping),
+                  .write = params.depth.write};
     if (subject == Subject::objects)
         made.cull = flips_winding && params.reflection.flip_winding ? with_flipped_winding(params.cull) : params.cull;
     if (clip) made.clip_planes = {*clip};

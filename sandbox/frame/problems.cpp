@@ -205,7 +205,7 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
 bool hides_objects(const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     const bool is_less = depth.tests() && depth.func == CompareFunc::less && is_cleared_to_farthest(depth);
-    return params.visibility.method == VisibilityMethod::depth_buffer &&
+    return uses_gl_depth_test(params.visibility.method) &&
            (rejects_all(depth) || hides_next_frame(depth) ||
             (is_less && derived.has_distances && has_only_cleared_code(params, derived, scene)));
 }
@@ -247,7 +247,7 @@ bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
 ///   then keeps its fix or, with GL_NOTEQUAL, the sentence about GL_NOTEQUAL does.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const DepthParams& depth = params.depth;
-    const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,
+    const bool tests = uses_gl_depth_test(params.visibility.method),
                is_overdrawn = has_problem(problems, "reflection.shared_stencil"),
                is_pushed =
                    has_problem(problems, "shadow.pushed_away") || has_problem(problems, "depth.reversed_offset"),

@@ -15,7 +15,7 @@ public:
                     WorkProgress* progress)
         : solver_(scene), progress_(progress) {
         HiddenRequest request = hidden_request(params, derived, size_px);
-        request.visibility.method = VisibilityMethod::ray_cast;
+        request.visibility.method = reference_method;
         result_ = solver_.solve(request, progress);
         objects_ = with_ids(result_->image, solver_.surface()->object_of_source());
     }

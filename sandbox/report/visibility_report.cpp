@@ -1,10 +1,10 @@
 #include "report/visibility_report.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "gl/gl.h"
 #include "measure/hidden_answers.h"
+#include "platform/stopwatch.h"
 #include "report/as_json.h"
 #include "state/fields.h"
 #include "visibility/difference.h"
@@ -27,12 +27,14 @@ double time_of_gl_ms(Renderer& renderer, Params params, const Derived& derived, 
         glFinish();
     };
     draw();
-    const auto started = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     draw();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
+    return watch.ms();
 }
 
-Json counter_as_json(std::int64_t counter) {
+/// Returns a count or a time; null if the method does not have it.
+template <typename Number>
+Json counter_as_json(Number counter) {
     return counter >= 0 ? Json(counter) : Json();
 }
 
@@ -47,15 +49,6 @@ Json counters_as_json(const HiddenCounters& counters) {
             {"overdraw", counters.pixels_tested >= 0 ? Json(counters.overdraw()) : Json()},
             {"rays", counter_as_json(counters.rays)},
             {"intersection_tests", counter_as_json(counters.intersection_tests)}};
-}
-
-bool has_build(VisibilityMethod method) {
-    return method == VisibilityMethod::bsp || method == VisibilityMethod::ray_cast;
-}
-
-/// Whether the method first finds an order and then paints in that order; the other methods do not sort.
-bool has_order(VisibilityMethod method) {
-    return method == VisibilityMethod::painter || method == VisibilityMethod::newell || method == VisibilityMethod::bsp;
 }
 
 Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std::vector<Polygon>& polygons) {
@@ -83,7 +76,7 @@ public:
           solver_(scene),
           objects_(solver_.surface()->object_of_source()) {
         request_.visibility.step = -1;
-        request_.visibility.method = VisibilityMethod::ray_cast;
+        request_.visibility.method = reference_method;
         HiddenRequest triangles = request_;
         triangles.visibility.exact_curves = false;
         reference_ = solver_.solve(triangles)->image;
@@ -115,8 +108,8 @@ private:
             time_ms = time_of_gl_ms(renderer_, params, derived_, scene_, request_.size_px);
         }
         Json row{{"time_ms", time_ms},
-                 {"painting_ms", has_order(method) ? Json(result->painting_ms) : Json()},
-                 {"build_ms", has_build(method) ? Json(result->build_ms) : Json()}};
+                 {"painting_ms", counter_as_json(result->painting_ms)},
+                 {"build_ms", counter_as_json(result->build_ms)}};
         row.update(counters_as_json(result->counters));
         row["wrong_pixels"] = wrong_pixels(*result);
         row["problem"] = result->problem.empty() ? Json() : Json(say(result->problem));

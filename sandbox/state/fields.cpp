@@ -21,7 +21,7 @@ template <> std::span<const char* const> names_of<ShadowStyle>() { static conste
 template <> std::span<const char* const> names_of<ShadowSign>() { static constexpr const char* names[] = {"plane_dot_light", "none", "forced"}; return names; }
 template <> std::span<const char* const> names_of<MirrorClip>() { static constexpr const char* names[] = {"none", "clip_distance", "oblique"}; return names; }
 template <> std::span<const char* const> names_of<MirroredThing>() { static constexpr const char* names[] = {"scene", "camera"}; return names; }
-template <> std::span<const char* const> names_of<VisibilityMethod>() { static constexpr const char* names[] = {"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}; return names; }
+template <> std::span<const char* const> names_of<VisibilityMethod>() { static constexpr const char* names[] = {VIEWING_METHODS(VIEWING_NAME)}; return names; }
 template <> std::span<const char* const> names_of<PainterKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
 template <> std::span<const char* const> names_of<BspSplitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
 template <> std::span<const char* const> names_of<BspOrder>() { static constexpr const char* names[] = {"back_to_front", "front_to_back"}; return names; }

@@ -174,6 +174,9 @@ struct Params {
     /// fovy.
     double mirror_picture_scale() const;
 
+    /// Returns whether GL compares depths. Otherwise, it does not write depth either.
+    bool tests_depth() const { return depth.tests() && uses_gl_depth_test(visibility.method); }
+
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }
 
     bool operator==(const Params&) const = default;

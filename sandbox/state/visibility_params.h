@@ -4,11 +4,20 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "state/closed_set.h"
 #include "visibility/choices.h"
+
+/// Applies ENTRY to the name of each hidden-surface method, spelled as in state files. frame/hidden/hidden_method.h
+/// declares an entry for each, which says what the method does and how it is named.
+#define VIEWING_METHODS(ENTRY) \
+    ENTRY(depth_buffer) ENTRY(none) ENTRY(painter) ENTRY(newell) ENTRY(bsp) ENTRY(software_depth_buffer) ENTRY(ray_cast)
 
 namespace viewing {
 
-enum class VisibilityMethod { depth_buffer, none, painter, newell, bsp, software_depth_buffer, ray_cast };
+enum class VisibilityMethod { VIEWING_METHODS(VIEWING_ENUMERATOR) };
+
+/// The method whose pictures are correct, so that other pictures are compared with them.
+inline constexpr VisibilityMethod reference_method = VisibilityMethod::ray_cast;
 
 struct VisibilityParams {
     VisibilityMethod method = VisibilityMethod::depth_buffer;
@@ -18,13 +27,18 @@ struct VisibilityParams {
     BspOrder walk = BspOrder::back_to_front;
     double epsilon = 1e-9;      ///< points nearer than this to a plane count as on it; fraction of the scene's diagonal
     bool exact_curves = false;  ///< rays intersect spheres, cylinders, cones and tori instead of their triangles
-    VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other method in the difference view
-    bool numbers = false;                                        ///< writes the drawing order on the polygons
+    VisibilityMethod compare_with = reference_method;  ///< the other method in the difference view
+    bool numbers = false;                              ///< writes the drawing order on the polygons
     std::optional<glm::ivec2> raster;  ///< columns and rows of the computed picture; none: the view's pixels
     std::optional<glm::ivec2> pixel;   ///< a pixel of that picture, (0, 0) at the top left; the views show its
                                        ///< fragments or ray
     bool operator==(const VisibilityParams&) const = default;
 };
+
+/// Returns whether GL's depth test decides what is visible; all other methods turn it off.
+inline bool uses_gl_depth_test(VisibilityMethod method) {
+    return method == VisibilityMethod::depth_buffer;
+}
 
 /// Returns whether GL alone draws the method's picture; all other methods first do their own work, such as sorting.
 inline bool is_drawn_by_gl_alone(VisibilityMethod method) {

@@ -2,26 +2,17 @@
 #include "visibility/growth_bench.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "geometry/camera.h"
 #include "geometry/projection.h"
+#include "platform/stopwatch.h"
 #include "visibility/newell.h"
 #include "visibility/painter.h"
 #include "visibility/ray_cast.h"
 
 namespace viewing {
 namespace {
-
-class Stopwatch {
-public:
-    double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - begin_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point begin_ = Clock::now();
-};
 
 /// Returns a view from outside and slightly above, in which the sphere around the bounds touches the nearer edges of
 /// the picture.
@@ -52,38 +43,23 @@ GrowthRow GrowthBench::run(GrowthMethod method, WorkProgress* progress) {
     GrowthRow row{.method = method,
                   .polygons = static_cast<int>(polygons_.size()),
                   .operation_name = growth_operation_name(method)};
+    // In the order of GrowthMethod.
+    static constexpr decltype(&GrowthBench::run_painter) runs[growth_method_count] = {
+        &GrowthBench::run_painter,  &GrowthBench::run_newell,   &GrowthBench::run_bsp_build,
+        &GrowthBench::run_bsp_walk, &GrowthBench::run_z_buffer, &GrowthBench::run_ray_casting};
     const Stopwatch whole;
-    switch (method) {
-        case GrowthMethod::painter:
-            run_painter(row, progress);
-            break;
-        case GrowthMethod::newell:
-            run_newell(row, progress);
-            break;
-        case GrowthMethod::bsp_build:
-            run_bsp_build(row, progress);
-            break;
-        case GrowthMethod::bsp_walk:
-            run_bsp_walk(row, progress);
-            break;
-        case GrowthMethod::z_buffer:
-            run_z_buffer(row, progress);
-            break;
-        case GrowthMethod::ray_casting:
-            run_ray_casting(row, progress);
-            break;
-    }
+    (this->*runs[static_cast<std::size_t>(method)])(row, progress);
     row.time_ms = whole.ms();
     return row;
 }
 
-void GrowthBench::run_painter(GrowthRow& row, WorkProgress* progress) const {
+void GrowthBench::run_painter(GrowthRow& row, WorkProgress* progress) {
     const PainterOrder sorted = painter_order(polygons_, viewpoint_, PainterKey::farthest);
     row.operations = sorted.comparisons;
     paint(polygons_, sorted.order, row, progress);
 }
 
-void GrowthBench::run_newell(GrowthRow& row, WorkProgress* progress) const {
+void GrowthBench::run_newell(GrowthRow& row, WorkProgress* progress) {
     const NewellOptions options{
         .max_fragments = request_.max_fragments, .max_pairs = request_.max_pairs, .max_steps = 0};
     const NewellOrder sorted = newell_order(polygons_, viewpoint_, options, progress);
@@ -98,19 +74,19 @@ void GrowthBench::run_bsp_build(GrowthRow& row, WorkProgress* progress) {
     row.problem = tree_.problem;
 }
 
-void GrowthBench::run_bsp_walk(GrowthRow& row, WorkProgress* progress) const {
+void GrowthBench::run_bsp_walk(GrowthRow& row, WorkProgress* progress) {
     const BspWalk walk = walk_bsp(tree_, viewpoint_.eye_world(), BspOrder::back_to_front);
     row.operations = static_cast<std::int64_t>(walk.visits.size());
     paint(tree_.fragments, walk.fragments, row, progress);
 }
 
-void GrowthBench::run_z_buffer(GrowthRow& row, WorkProgress* progress) const {
+void GrowthBench::run_z_buffer(GrowthRow& row, WorkProgress* progress) {
     const RasterResult result =
         rasterize(polygons_, viewpoint_.clip_from_world(), {.width = width_, .height = height_}, progress);
     row.operations = result.counters.pixels_tested;
 }
 
-void GrowthBench::run_ray_casting(GrowthRow& row, WorkProgress* progress) const {
+void GrowthBench::run_ray_casting(GrowthRow& row, WorkProgress* progress) {
     const Stopwatch building;
     const RayScene scene(polygons_, {}, progress);
     row.build_ms = building.ms();

@@ -19,12 +19,12 @@ public:
     GrowthRow run(GrowthMethod method, WorkProgress* progress);
 
 private:
-    void run_painter(GrowthRow& row, WorkProgress* progress) const;
-    void run_newell(GrowthRow& row, WorkProgress* progress) const;
+    void run_painter(GrowthRow& row, WorkProgress* progress);
+    void run_newell(GrowthRow& row, WorkProgress* progress);
     void run_bsp_build(GrowthRow& row, WorkProgress* progress);
-    void run_bsp_walk(GrowthRow& row, WorkProgress* progress) const;
-    void run_z_buffer(GrowthRow& row, WorkProgress* progress) const;
-    void run_ray_casting(GrowthRow& row, WorkProgress* progress) const;
+    void run_bsp_walk(GrowthRow& row, WorkProgress* progress);
+    void run_z_buffer(GrowthRow& row, WorkProgress* progress);
+    void run_ray_casting(GrowthRow& row, WorkProgress* progress);
     void paint(std::span<const Polygon> drawn, std::span<const int> order, GrowthRow& row,
                WorkProgress* progress) const;
 

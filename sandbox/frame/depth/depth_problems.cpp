@@ -315,8 +315,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
                          const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
-    if (params.visibility.method != VisibilityMethod::depth_buffer ||
-        !shows_anything(derived.clip_from_world, derived, scene))
+    if (!uses_gl_depth_test(params.visibility.method) || !shows_anything(derived.clip_from_world, derived, scene))
         return;
     say_tests(tell, params, derived, scene);
     say_clears(tell, params, derived, scene);

@@ -49,7 +49,7 @@ Pass without_marks(const Pass& objects) {
 
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     const DecalMethod method = params.depth.decals;
-    if (method == DecalMethod::offset || params.visibility.method != VisibilityMethod::depth_buffer) return;
+    if (method == DecalMethod::offset || !uses_gl_depth_test(params.visibility.method)) return;
     const auto found = std::find_if(passes.begin(), passes.end(), [](const Pass& pass) {
         return pass.subject == Subject::objects && pass.shading == Shading::lit && !pass.is_mirror_image;
     });

@@ -1,4 +1,5 @@
 // Reports culling that removes the sides facing the eye, and a BSP tree that cuts too little. Part of problems.h.
+#include "frame/hidden/hidden_method.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/numbers.h"
@@ -14,7 +15,7 @@ bool is_mirrored(const SceneObject& object) {
 
 /// Reports an epsilon of the BSP tree that is wide enough to cause visible errors.
 void say_epsilon(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
-    if (params.visibility.method != VisibilityMethod::bsp || scene.objects.empty()) return;
+    if (!hidden_method(params.visibility.method).has_tree || scene.objects.empty()) return;
     const double epsilon =
         params.visibility.epsilon * glm::length(scene.bounds_world.max - scene.bounds_world.min);  // world units
     const glm::dvec4 center(0.5 * (scene.bounds_world.min + scene.bounds_world.max), 1.0);

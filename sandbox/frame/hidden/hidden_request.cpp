@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "frame/hidden/hidden_surfaces.h"
+#include "frame/hidden/method_parts.h"
 
 namespace viewing {
 
@@ -66,14 +66,12 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
 }
 
 bool uses_exact_curves(const HiddenRequest& request) {
-    return request.visibility.method == VisibilityMethod::ray_cast && request.visibility.exact_curves &&
+    return hidden_method(request.visibility.method).casts_rays && request.visibility.exact_curves &&
            !request.cull.enabled;
 }
 
 bool draws_pixels(const VisibilityParams& visibility) {
-    return visibility.method == VisibilityMethod::software_depth_buffer ||
-           visibility.method == VisibilityMethod::ray_cast || has_raster(visibility) ||
-           (visibility.method == VisibilityMethod::bsp && visibility.walk == BspOrder::front_to_back);
+    return hidden_method(visibility.method).computes_pixels || has_raster(visibility) || is_front_to_back(visibility);
 }
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
 // Runs a hidden-surface method on a scene for a camera, and keeps everything that the views show about it: order, tree,
-// steps, counters and picture. Read hidden_surfaces.cpp next, then hidden_drawing.h.
+// steps, counters and picture. Read hidden_method.h next, then hidden_drawing.h.
 #pragma once
 
 #include <memory>
@@ -76,9 +76,10 @@ using Polygons = std::shared_ptr<const std::vector<Polygon>>;
 struct HiddenResult {
     HiddenRequest request;
     std::shared_ptr<const SceneSurface> surface;
-    Polygons fragments;      ///< to draw
-    std::vector<int> order;  ///< indices into fragments in drawing order, for all steps
-    int drawn = 0;           ///< number of entries of `order` that the step has reached
+    Polygons fragments;            ///< to draw
+    std::vector<int> order;        ///< indices into fragments in drawing order, for all steps
+    std::vector<int> order_steps;  ///< for each entry of `order`, the step that completes its polygon
+    int drawn = 0;                 ///< number of entries of `order` that the step has reached
 
     std::shared_ptr<const PainterOrder> painter;
     std::shared_ptr<const NewellOrder> newell;
@@ -96,8 +97,8 @@ struct HiddenResult {
     IdImage image;                                 ///< IDs of the polygons drawn at this step
     std::vector<std::uint32_t> written_per_pixel;  ///< overdraw; laid out like image
     double time_ms = 0.0;                          ///< of the method alone, for all steps, without painting_ms
-    double painting_ms = 0.0;                      ///< of painting in the method's order
-    double build_ms = 0.0;                         ///< of data made once for all cameras: tree, hierarchy
+    double painting_ms = -1.0;                     ///< of painting in the method's order; −1: paints in no order
+    double build_ms = -1.0;                        ///< of data made once for all cameras: tree, hierarchy; −1: none
     Message problem;                               ///< a sentence if the method stopped at a budget or was canceled
     bool is_canceled = false;
 };
@@ -112,6 +113,23 @@ bool uses_exact_curves(const HiddenRequest& request);
 /// Returns whether software computes the picture's pixels, instead of GL drawing polygons in order.
 bool draws_pixels(const VisibilityParams& visibility);
 
+/// What methods keep between calls, since it does not depend on the camera.
+struct HiddenData {
+    struct Tree {
+        std::shared_ptr<const BspTree> tree;
+        BspSplitter splitter = BspSplitter::first;
+        double epsilon = 0.0, build_ms = 0.0;
+    };
+    struct Rays {
+        std::shared_ptr<const RayScene> scene;
+        HiddenRequest made_for;
+        double build_ms = 0.0;
+    };
+    std::shared_ptr<const SceneSurface> surface;
+    Tree tree{};
+    Rays rays{};
+};
+
 /// Runs methods on one scene. Between calls, keeps the data that does not depend on the camera, and the latest orders.
 /// Not safe to use from several threads at the same time.
 class HiddenSurfaceSolver {
@@ -123,28 +141,10 @@ public:
     /// picture. If canceled, the result has a problem sentence.
     std::shared_ptr<const HiddenResult> solve(const HiddenRequest& request, WorkProgress* progress = nullptr);
 
-    const std::shared_ptr<const SceneSurface>& surface() const { return surface_; }
+    const std::shared_ptr<const SceneSurface>& surface() const { return data_.surface; }
 
 private:
-    struct Trees {
-        std::shared_ptr<const BspTree> tree;
-        BspSplitter splitter = BspSplitter::first;
-        double epsilon = 0.0, build_ms = 0.0;
-    };
-    struct Rays {
-        std::shared_ptr<const RayScene> scene;
-        HiddenRequest made_for;
-        double build_ms = 0.0;
-    };
-
-    void find_order(HiddenResult& result, WorkProgress* progress);
-    void find_bsp(HiddenResult& result, WorkProgress* progress);
-    void cast(HiddenResult& result, WorkProgress* progress);
-    Polygons polygons_for(HiddenResult& result, const WorkProgress* progress) const;
-
-    std::shared_ptr<const SceneSurface> surface_;
-    Trees trees_;
-    Rays rays_;
+    HiddenData data_;
     std::vector<std::shared_ptr<const HiddenResult>> latest_;  ///< camera and mirrored eye, for two methods
 };
 

@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "frame/hidden/hidden_method.h"
+
 namespace viewing {
 namespace {
-
-/// Returns whether the result's own image is the one shown. If not, GL draws the polygons and rounds the positions of
-/// their corners.
-bool has_image(const HiddenResult& result) {
-    return draws_pixels(result.request.visibility);
-}
 
 /// Returns whether only GL can draw the mirror image, in scene order, because a setting or a mistake changes R, the
 /// mirrored side or the mirrored camera's projection.
@@ -26,12 +22,12 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
 std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
     constexpr int widest_px = 160;
     constexpr std::size_t most_polygons = 20'000;
-    const bool is_whole = request.visibility.method == VisibilityMethod::painter && request.visibility.step < 0;
+    const bool is_whole = hidden_method(request.visibility.method).sorts_by_key && request.visibility.step < 0;
     if (!is_whole || solver.surface()->polygons.size() > most_polygons) return std::nullopt;
     if (request.size_px.x > widest_px)
         request.size_px = {widest_px, std::max(request.size_px.y * widest_px / request.size_px.x, 1)};
     const auto painted = solver.solve(request, progress);
-    request.visibility.method = VisibilityMethod::ray_cast;
+    request.visibility.method = reference_method;
     request.visibility.exact_curves = false;
     const auto seen = solver.solve(request, progress);
     if (is_canceled(progress)) return std::nullopt;
@@ -69,7 +65,7 @@ Message HiddenAnswer::problem() const {
 }
 
 Message beyond_hidden_budget(const Scene& scene, const HiddenQuestion& question) {
-    const auto builds = [](const HiddenRequest& request) { return request.visibility.method == VisibilityMethod::bsp; };
+    const auto builds = [](const HiddenRequest& request) { return hidden_method(request.visibility.method).has_tree; };
     return beyond_hidden_budget(scene, builds(question.camera) || (question.other && builds(*question.other)));
 }
 
@@ -86,7 +82,8 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
     }
     if (question.other) {
         answer.other = solver.solve(*question.other, progress);
-        if (has_image(*answer.camera) && has_image(*answer.other))
+        // Otherwise, GL draws polygons, and rounds the positions of their corners.
+        if (draws_pixels(question.camera.visibility) && draws_pixels(question.other->visibility))
             add_difference(answer, answer.camera->image, answer.other->image);
     }
     return answer;

@@ -55,26 +55,4 @@ std::optional<int> previous_touch(const HiddenResult& result, int step) {
     return before == result.touches.rend() ? std::nullopt : std::optional(before->step);
 }
 
-std::vector<int> steps_of_order(const HiddenResult& result) {
-    std::vector<int> steps;
-    const std::size_t count = result.order.size();
-    if (result.tree) {
-        const auto nodes = static_cast<int>(result.tree->nodes.size());
-        std::size_t passed = 0;
-        for (std::size_t visit = 0; visit < result.walk->visits.size(); ++visit) {
-            const BspNode& node = result.tree->nodes[static_cast<std::size_t>(result.walk->visits[visit].node)];
-            const std::size_t end = passed + static_cast<std::size_t>(node.fragment_count);
-            for (; passed < end; ++passed)
-                if (steps.size() < count && result.order[steps.size()] == result.walk->fragments[passed])
-                    steps.push_back(nodes + static_cast<int>(visit) + 1);
-        }
-    } else if (result.newell || result.request.visibility.method == VisibilityMethod::software_depth_buffer) {
-        steps = result.group_ends;
-    } else {
-        for (std::size_t place = 0; place < count; ++place) steps.push_back(static_cast<int>(place) + 1);
-    }
-    steps.resize(count, result.step_count);  // for polygons that Newell's recorded steps do not reach
-    return steps;
-}
-
 }  // namespace viewing

@@ -28,7 +28,4 @@ std::optional<int> previous_group(const HiddenResult& result, int step);
 std::optional<int> next_touch(const HiddenResult& result, int step);
 std::optional<int> previous_touch(const HiddenResult& result, int step);
 
-/// Returns, for each position in the order, the step that completes the polygon there.
-std::vector<int> steps_of_order(const HiddenResult& result);
-
 }  // namespace viewing

@@ -29,8 +29,7 @@ bool is_visibly_coarse(const ObliqueDepth& depth, const Params& params, const De
 void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                  const FramePlan& frame) {
     constexpr double alike = 1.05;
-    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    if (!tests) return;
+    if (!params.tests_depth()) return;
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
     if (!depth) return;
     const Sentence coarser =

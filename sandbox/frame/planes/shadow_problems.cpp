@@ -221,8 +221,7 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
 /// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Thrown>& thrown) {
     const ShadowParams& shadow = params.shadow;
-    const bool tests = params.depth.tests() && params.depth.func != CompareFunc::always &&
-                       params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool tests = params.tests_depth() && params.depth.func != CompareFunc::always;
     if (!tests) return;
     const bool by_polygon = shadow.offset == ShadowOffset::polygon_offset,
                by_lift = shadow.offset == ShadowOffset::lift;

@@ -23,7 +23,7 @@ void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rec
 }
 
 void tell_missing_depth(const Params& params, const Rect& rect) {
-    const bool by_buffer = params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool by_buffer = uses_gl_depth_test(params.visibility.method);
     if (by_buffer && params.depth.buffer) return;
     const char* const why = by_buffer ? tr("No depth to show: the window has no depth buffer.")
                                       : tr("This method turns GL's depth test off and writes no depth.");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frame/ground.h"
+#include "frame/hidden/hidden_method.h"
 #include "text/catalogue.h"
 #include "ui/hidden/raster_overlay.h"
 #include "ui/hidden/step_text.h"
@@ -112,12 +113,11 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
         return;
     }
     if (result.step < 0) return;
-    if (result.newell && result.step > 0) {
-        const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
-        if (const Polygon* q = polygon_at(result, step.q)) outline_filled(overlay, *q, palette().mirror);
-        if (const Polygon* p = polygon_at(result, step.p)) outline_filled(overlay, *p, palette().light);
-        if (const Polygon* p = polygon_at(result, step.p)) overlay.label(centroid(*p), "A", palette().light);
-        if (const Polygon* q = polygon_at(result, step.q)) overlay.label(centroid(*q), "B", palette().mirror);
+    if (const NewellStep* const step = newell_step(result)) {
+        if (const Polygon* q = polygon_at(result, step->q)) outline_filled(overlay, *q, palette().mirror);
+        if (const Polygon* p = polygon_at(result, step->p)) outline_filled(overlay, *p, palette().light);
+        if (const Polygon* p = polygon_at(result, step->p)) overlay.label(centroid(*p), "A", palette().light);
+        if (const Polygon* q = polygon_at(result, step->q)) overlay.label(centroid(*q), "B", palette().mirror);
         return;
     }
     if (result.compare && result.compare->polygon >= 0) {
@@ -184,7 +184,7 @@ std::optional<glm::ivec2> method_pixel_at(const HiddenStatus& hidden, const Over
 }
 
 void choose_pixel(VisibilityParams& visibility, const HiddenResult& result, glm::ivec2 pixel) {
-    if (visibility.method == VisibilityMethod::ray_cast && visibility.step >= 0) {
+    if (hidden_method(visibility.method).casts_rays && visibility.step >= 0) {
         visibility.step = pixel.y * result.image.width + pixel.x + 1;
         visibility.pixel.reset();
     } else if (visibility.pixel == pixel) {
@@ -236,14 +236,8 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
 void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, Overlay& overlay) {
     if (!hidden.answer) return;
     const HiddenResult& result = *hidden.answer->camera;
-    if (result.tree) {
-        const bool builds = result.step > 0 && result.visited_nodes == 0;
-        const bool walks = result.step > 0 && result.visited_nodes > 0;
-        const int of_step = builds  ? result.built_nodes - 1
-                            : walks ? result.walk->visits[static_cast<std::size_t>(result.visited_nodes - 1)].node
-                                    : -1;
-        node_in_observer(overlay, result, link.shown_node() >= 0 ? link.shown_node() : of_step);
-    }
+    if (result.tree)
+        node_in_observer(overlay, result, link.shown_node() >= 0 ? link.shown_node() : current_node(result));
     if (result.traced) {
         const TracedRay& traced = *result.traced;
         const double reach = traced.hits.empty() ? 2.0 * result.surface->diagonal : traced.hits.back().t;

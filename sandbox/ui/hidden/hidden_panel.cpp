@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frame/hidden/hidden_method.h"
 #include "text/catalogue.h"
 #include "ui/hidden/method_words.h"
 #include "ui/hidden/step_rows.h"
@@ -15,28 +16,17 @@ namespace {
 
 constexpr float choice_width = 150.0F;
 
-void options_of(VisibilityMethod method, Params& params) {
-    switch (method) {
-        case VisibilityMethod::painter:
-            control(params, "visibility.sort_key",
-                    {.width = choice_width, .names = sort_key_names, .label = marked("sort key")});
-            break;
-        case VisibilityMethod::bsp:
-            control(params, "visibility.splitter",
-                    {.width = choice_width, .names = splitter_names, .label = marked("splitter")});
-            control(params, "visibility.walk", {.width = choice_width, .names = walk_names, .label = marked("walk")});
-            [[fallthrough]];
-        case VisibilityMethod::newell:
-            control(params, "visibility.epsilon", {.decimals = 2, .label = marked("epsilon")});
-            break;
-        case VisibilityMethod::ray_cast:
-            control(params, "visibility.exact_curves", {.label = marked("Exact curves")});
-            break;
-        case VisibilityMethod::depth_buffer:
-        case VisibilityMethod::none:
-        case VisibilityMethod::software_depth_buffer:
-            break;
+void draw_options(const HiddenMethod& method, Params& params) {
+    if (method.sorts_by_key)
+        control(params, "visibility.sort_key",
+                {.width = choice_width, .names = sort_key_names, .label = marked("sort key")});
+    if (method.has_tree) {
+        control(params, "visibility.splitter",
+                {.width = choice_width, .names = splitter_names, .label = marked("splitter")});
+        control(params, "visibility.walk", {.width = choice_width, .names = walk_names, .label = marked("walk")});
     }
+    if (method.splits) control(params, "visibility.epsilon", {.decimals = 2, .label = marked("epsilon")});
+    if (method.casts_rays) control(params, "visibility.exact_curves", {.label = marked("Exact curves")});
 }
 
 /// Draws a button that cancels the method or runs it again. The button shares a row with the previous control, so that
@@ -103,7 +93,7 @@ void counters(const HiddenResult& result, bool shows_time) {
     if (counted.pixels_written >= 0) table.text(marked("overdraw"), number_text(counted.overdraw(), 2).c_str());
     if (!is_drawn_by_gl_alone(result.request.visibility.method))
         table.text(marked("time"), time(result.time_ms).c_str());
-    if (result.tree || result.counters.rays >= 0) table.text(marked("build time"), time(result.build_ms).c_str());
+    if (result.build_ms >= 0.0) table.text(marked("build time"), time(result.build_ms).c_str());
     // Use the same height for every method: the BSP tree has the most counters, and culling adds one.
     constexpr int most_rows = 6;
     const float row = (ImGui::GetCursorPosY() - top) / static_cast<float>(std::max(table.rows(), 1));
@@ -133,10 +123,10 @@ void culling_counts(const HiddenResult& result, bool steps) {
 
 /// Draws only the controls that the state lists; these may include the step bar.
 void draw_listed(HiddenPanelState& state, Params& params, const HiddenStatus& hidden) {
-    options_of(params.visibility.method, params);
+    draw_options(hidden_method(params.visibility.method), params);
     control(params, "visibility.numbers", {.label = marked("Numbers")});
     control(params, "visibility.compare_with",
-            {.width = choice_width, .names = method_names, .label = marked("compare")});
+            {.width = choice_width, .names = method_names(), .label = marked("compare")});
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
     if (result && widgets::IsListed(target_of("visibility.step"))) {
         widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
@@ -161,9 +151,9 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     }
     // Use the same height for every method, so that the steps below stay in place while methods are compared.
     const float top = ImGui::GetCursorPosY(), rows = 3.0F * ImGui::GetFrameHeightWithSpacing();
-    options_of(method, params);
+    draw_options(hidden_method(method), params);
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
-    if (result && method == VisibilityMethod::painter) draw_failure_finder(state.failure, session, *result);
+    if (result && hidden_method(method).sorts_by_key) draw_failure_finder(state.failure, session, *result);
     ImGui::SetCursorPosY(std::max(top + rows, ImGui::GetCursorPosY()));
     control(params, "visibility.numbers", {.label = marked("Numbers")});
     cancel_button(state, hidden);
@@ -172,7 +162,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     else
         draw_raster_row(params);
     control(params, "visibility.compare_with",
-            {.width = choice_width, .names = method_names, .label = marked("compare")});
+            {.width = choice_width, .names = method_names(), .label = marked("compare")});
     if (!result) return;
     widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
     widgets::MarkTarget(target_of("visibility.step"));

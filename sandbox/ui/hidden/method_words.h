@@ -1,15 +1,9 @@
-// The names of the methods and of their options, for choices and sentences. Each list is in the order of its
-// enumeration.
+// The names of the methods' options, for choices and sentences. Each list is in the order of its enumeration.
 #pragma once
 
 #include "text/catalogue.h"
 
 namespace viewing {
-
-/// In the order of VisibilityMethod.
-inline constexpr const char* method_names[] = {marked("GL depth buffer"), marked("none"),     marked("painter"),
-                                               marked("Newell"),          marked("BSP tree"), marked("soft. z-buffer"),
-                                               marked("ray casting")};
 
 /// In the order of PainterKey.
 inline constexpr const char* sort_key_names[] = {marked("nearest vertex"), marked("farthest vertex"),

@@ -4,6 +4,7 @@
 
 #include "ui/hidden/method_words.h"
 #include "ui/hidden/polygon_names.h"
+#include "ui/hidden/step_text.h"
 #include "widgets/widgets.h"
 
 namespace viewing {
@@ -11,11 +12,10 @@ namespace viewing {
 OrderRows::OrderRows(const HiddenResult& result, const TreeIndex& index) : result_(result), index_(index) {
     reached_ = count();
     if (result.step < 0) return;
-    if (result.newell && result.step > 0 && result.step <= static_cast<int>(result.newell->steps.size()))
-        newell_step_ = &result.newell->steps[static_cast<std::size_t>(result.step - 1)];
-    if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) {
+    newell_step_ = newell_step(result);
+    if (result.compare) {
         // Each step compares one pixel of a polygon; that polygon is the last one reached.
-        current_ = result.compare ? place_of(result, result.compare->polygon) : -1;
+        current_ = place_of(result, result.compare->polygon);
         reached_ = current_ + 1;
     } else {
         reached_ = std::min(result.drawn, count());

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "frame/hidden/step_groups.h"
+#include "frame/hidden/hidden_method.h"
 #include "text/catalogue.h"
 #include "ui/hidden/polygon_names.h"
 #include "ui/hidden/polygon_table.h"
@@ -37,11 +37,12 @@ void draw_list(OrderViewState& state, PolygonLinks& links, Params& params, const
             if (table.row(place + 1, rows.row(place))) {
                 state.revealed = links.next.selected_fragment;
                 if (params.visibility.step >= 0 && state.revealed >= 0)
-                    params.visibility.step = steps_of_order(result)[static_cast<std::size_t>(place)];
+                    params.visibility.step = result.order_steps[static_cast<std::size_t>(place)];
             }
 }
 
 void draw_hits(PolygonLinks& links, const HiddenResult& result) {
+    recorded_note(ray_sentence(result));
     const std::vector<RayHitRow> hits = ray_rows(result);
     if (hits.empty()) return;
     PolygonTable table(links, result, "hits", marked("distance"), static_cast<int>(hits.size()),
@@ -64,7 +65,7 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
 /// software depth buffer.
 std::string detail_of(const HiddenResult& result, const RasterStep& fragment) {
     const std::string depth = number_text(fragment.depth, 4);
-    if (result.request.visibility.method != VisibilityMethod::software_depth_buffer && fragment.written) return depth;
+    if (!result.compare && fragment.written) return depth;
     return fragment.written ? say("{depth} written", "depth"_a = depth) : say("{depth} hidden", "depth"_a = depth);
 }
 
@@ -218,22 +219,14 @@ void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, cons
 }
 
 void draw_result(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
-    if (!is_drawn_by_gl_alone(result.request.visibility.method)) draw_step_line(params, result);
+    const VisibilityMethod method = result.request.visibility.method;
+    if (is_drawn_by_gl_alone(method))
+        recorded_note("GL receives the polygons in scene order.");
+    else
+        draw_step_line(params, result);
     if (result.newell) return draw_newell(state, links, params, result);
-    switch (result.request.visibility.method) {
-        case VisibilityMethod::ray_cast:
-            recorded_note(ray_sentence(result));
-            return draw_hits(links, result);
-        case VisibilityMethod::software_depth_buffer:
-            draw_pixels_of(result);
-            break;
-        case VisibilityMethod::depth_buffer:
-        case VisibilityMethod::none:
-            recorded_note("GL receives the polygons in scene order.");
-            break;
-        default:
-            break;
-    }
+    if (hidden_method(method).casts_rays) return draw_hits(links, result);
+    if (result.compare) draw_pixels_of(result);
     if (result.order.empty()) {
         offer("Nothing to draw.");
         return;

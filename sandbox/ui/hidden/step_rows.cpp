@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "frame/hidden/hidden_method.h"
 #include "frame/hidden/step_groups.h"
 #include "state/fields.h"
 #include "text/catalogue.h"
@@ -17,28 +18,6 @@ namespace {
 
 constexpr glm::ivec2 first_raster{24, 16};
 constexpr float step_gap = 2.0F, slider_width = 124.0F;  // design pixels
-
-/// The names of the two levels of a method's steps.
-struct LevelWords {
-    const char *group, *within;
-    const char *next, *previous;  ///< the tooltips of the group buttons
-};
-
-LevelWords words_of(const HiddenResult& result) {
-    if (result.newell)
-        return {marked("polygon"), marked("step"), marked("Runs until the next polygon is drawn."),
-                marked("Goes back to the start of this polygon or, if already there, of the previous one.")};
-    if (result.tree)
-        return {marked("part"), marked("node"),
-                marked("Goes to the end of this part (building the tree or walking it)."),
-                marked("Goes back to the start of this part.")};
-    if (result.request.visibility.method == VisibilityMethod::ray_cast)
-        return {marked("row"), marked("ray"), marked("Goes to the end of this row of rays."),
-                marked("Goes back to the start of this row.")};
-    return {marked("triangle"), marked("fragment"),
-            marked("Runs to the end of this triangle or, if already there, of the next one."),
-            marked("Goes back to the start of this triangle or, if already there, of the previous one.")};
-}
 
 /// Draws a button that goes to step `to`; disabled if there is no such step. The button is wide enough for its symbol.
 void step_button(const char* id, const char* sign, std::optional<int> to, int& step, const char* title,
@@ -70,7 +49,7 @@ void touch_buttons(int& step, const HiddenResult& result, const char* previous_s
 /// Draws buttons that go to the beginning and the end of the step's group or, if already there, of the previous or next
 /// group.
 void group_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
-    const LevelWords words = words_of(result);
+    const StepWords& words = hidden_method(result.request.visibility.method).words;
     step_button("group before", previous_sign, previous_group(result, step), step, marked("Back"), words.previous,
                 marked("Already there."));
     step_button("next group", next_sign, next_group(result, step), step, marked("Next"), words.next,
@@ -97,7 +76,7 @@ bool level_slider(const char* label, int& value, int least, int count) {
 }
 
 void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
-    const LevelWords words = words_of(result);
+    const StepWords& words = hidden_method(result.request.visibility.method).words;
     group_buttons(step, result, "←", "→");
     int group = place.group;
     if (level_slider(words.group, group, 1, place.groups)) step = end_of_group(result, group);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "frame/hidden/hidden_method.h"
 #include "frame/hidden/step_groups.h"
 #include "text/catalogue.h"
 #include "ui/hidden/polygon_names.h"
@@ -41,21 +42,27 @@ std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
                   : tr("B is cut by a plane through the eye and an edge of A.");
 }
 
+/// In the order of NewellAction. A cut has sentences of its own.
+constexpr const char* action_texts[] = {marked("A may go before B."), marked("Swap: B goes before A."), "",
+                                        marked("A can hide none of the remaining polygons, so A is drawn."),
+                                        marked("A is drawn despite B: they overlap by less than epsilon.")};
+
 std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
-    switch (step.action) {
-        case NewellAction::goes_on:
-            return tr("A may go before B.");
-        case NewellAction::swaps:
-            return tr("Swap: B goes before A.");
-        case NewellAction::splits:
-            return cut_sentence(result, step);
-        case NewellAction::draws:
-            return tr("A can hide none of the remaining polygons, so A is drawn.");
-        case NewellAction::forces:
-            return tr("A is drawn despite B: they overlap by less than epsilon.");
-    }
-    return "";
+    return step.action == NewellAction::splits ? cut_sentence(result, step)
+                                               : tr(action_texts[static_cast<std::size_t>(step.action)]);
 }
+
+/// In the order of NewellTest.
+constexpr const char* test_texts[] = {marked("apart in depth"),
+                                      marked("apart along x"),
+                                      marked("apart along y"),
+                                      marked("A behind the plane of B"),
+                                      marked("B in front of the plane of A"),
+                                      marked("apart on the screen"),
+                                      marked("B behind the plane of A"),
+                                      marked("A in front of the plane of B"),
+                                      marked("none: cut")};
+static_assert(std::size(test_texts) == newell_test_count);
 
 /// Returns how many decimals, from 4 to 9, are enough to distinguish two depths.
 int decimals_for(double a, double b) {
@@ -67,33 +74,17 @@ int decimals_for(double a, double b) {
 }  // namespace
 
 const char* newell_test_text(NewellTest test) {
-    switch (test) {
-        case NewellTest::depth_extents:
-            return marked("apart in depth");
-        case NewellTest::x_extents:
-            return marked("apart along x");
-        case NewellTest::y_extents:
-            return marked("apart along y");
-        case NewellTest::p_behind_q:
-            return marked("A behind the plane of B");
-        case NewellTest::q_in_front_of_p:
-            return marked("B in front of the plane of A");
-        case NewellTest::projections_disjoint:
-            return marked("apart on the screen");
-        case NewellTest::q_behind_p:
-            return marked("B behind the plane of A");
-        case NewellTest::p_in_front_of_q:
-            return marked("A in front of the plane of B");
-        case NewellTest::none:
-            return marked("none: cut");
-    }
-    return "";
+    return test_texts[static_cast<std::size_t>(test)];
+}
+
+const NewellStep* newell_step(const HiddenResult& result) {
+    return result.newell && result.step > 0 ? &result.newell->steps[static_cast<std::size_t>(result.step - 1)]
+                                            : nullptr;
 }
 
 std::optional<Ladder> newell_ladder(const HiddenResult& result) {
-    if (!result.newell || result.step <= 0 || result.step > static_cast<int>(result.newell->steps.size()))
-        return std::nullopt;
-    const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
+    if (!newell_step(result)) return std::nullopt;
+    const NewellStep& step = *newell_step(result);
     Ladder ladder{.p = name_at(result, step.p),
                   .q = step.q >= 0 ? name_at(result, step.q) : "",
                   .action = action_sentence(result, step)};
@@ -128,17 +119,9 @@ std::string progress_sentence(const HiddenResult& result, int step) {
                    "count"_a = grouped_number(result.step_count));
     const std::string group = grouped_number(place->group), groups = grouped_number(place->groups);
     const std::string within = grouped_number(place->within), size = grouped_number(place->size);
-    if (result.tree)
-        return place->group == 1 ? say("building the tree: node {node} of {count}", "node"_a = within, "count"_a = size)
-                                 : say("walking the tree: node {node} of {count}", "node"_a = within, "count"_a = size);
-    if (result.newell)
-        return say("polygon {group} of {groups}, step {within} of {size}", "group"_a = group, "groups"_a = groups,
-                   "within"_a = within, "size"_a = size);
-    if (result.request.visibility.method == VisibilityMethod::ray_cast)
-        return say("row {group} of {groups}, ray {within} of {size}", "group"_a = group, "groups"_a = groups,
-                   "within"_a = within, "size"_a = size);
-    return say("triangle {group} of {groups}, fragment {within} of {size}", "group"_a = group, "groups"_a = groups,
-               "within"_a = within, "size"_a = size);
+    return say(fmt::runtime(hidden_method(result.request.visibility.method).words.progress(place->group)),
+               "group"_a = group, "groups"_a = groups, "within"_a = within, "size"_a = size, "node"_a = within,
+               "count"_a = size);
 }
 
 std::vector<std::string> progress_numbers(const HiddenResult& result, int step) {

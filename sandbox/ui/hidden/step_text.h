@@ -23,8 +23,10 @@ struct Ladder {
 /// Returns the statement about A and B that a test checks, untranslated.
 const char* newell_test_text(NewellTest test);
 
-/// Returns the ladder of the current step. Returns nullopt for other methods, at step 0, and when the view summarizes
-/// all steps.
+/// Returns what Newell's algorithm does at the current step; null for other methods, at step 0, and when the view
+/// summarizes all steps.
+const NewellStep* newell_step(const HiddenResult& result);
+/// Returns the ladder of that step, if there is one.
 std::optional<Ladder> newell_ladder(const HiddenResult& result);
 
 /// Describes the step's depth comparison: "pixel (3, 4): polygon 12 of box, depth 0.9321 < stored 0.9518 → written".

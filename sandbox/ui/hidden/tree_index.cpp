@@ -74,6 +74,13 @@ int TreeIndex::eye_side_of(int node) const {
     return is_index(node, eye_sides_.size()) ? eye_sides_[static_cast<std::size_t>(node)] : 0;
 }
 
+int current_node(const HiddenResult& result) {
+    if (result.step < 0) return -1;
+    if (result.visited_nodes > 0 && result.visited_nodes <= static_cast<int>(result.walk->visits.size()))
+        return result.walk->visits[static_cast<std::size_t>(result.visited_nodes - 1)].node;
+    return result.built_nodes - 1;
+}
+
 std::string tree_sentence(const HiddenResult& result) {
     if (!result.tree) return "";
     const BspTree& tree = *result.tree;

@@ -44,6 +44,9 @@ private:
     std::vector<signed char> eye_sides_;
 };
 
+/// Returns the node that the step builds or visits; −1 if there is none, or if all steps are shown.
+int current_node(const HiddenResult& result);
+
 /// Describes the tree: "30 nodes, depth 7, 34 fragments, 4 splits; splitter: fewest splits". If a step is shown, adds
 /// its progress.
 std::string tree_sentence(const HiddenResult& result);

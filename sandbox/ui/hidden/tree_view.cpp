@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frame/hidden/hidden_method.h"
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"
@@ -24,14 +25,6 @@ void select_node(PolygonLink& link, const BspTree& tree, int node) {
     if (node < 0) return;
     const BspNode& chosen = tree.nodes[static_cast<std::size_t>(node)];
     if (chosen.fragment_count > 0) link.selected_fragment = chosen.first_fragment + chosen.fragment_count - 1;
-}
-
-/// The step's node; −1 if all steps are shown.
-int current_node(const HiddenResult& result) {
-    if (result.step < 0) return -1;
-    if (result.visited_nodes > 0 && result.visited_nodes <= static_cast<int>(result.walk->visits.size()))
-        return result.walk->visits[static_cast<std::size_t>(result.visited_nodes - 1)].node;
-    return result.built_nodes - 1;
 }
 
 /// The longest sentence that is likely for a node. Its height is reserved, so that the tree does not move when the
@@ -69,7 +62,7 @@ void draw_diagram(TreeViewState& state, PolygonLinks& links, const HiddenResult&
 void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session, const HiddenStatus& hidden,
                     const Rect& rect) {
     const ViewWindow view("tree view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    if (session.params.visibility.method != VisibilityMethod::bsp) {
+    if (!hidden_method(session.params.visibility.method).has_tree) {
         if (offer("Only the BSP tree method has a tree to show.", "Use the BSP tree"))
             session.params.visibility.method = VisibilityMethod::bsp;
         return;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "frame/hidden/hidden_method.h"
 #include "text/catalogue.h"
 #include "ui/depth/depth_panel.h"
-#include "ui/hidden/method_words.h"
 #include "ui/panel/beside_panel.h"
 #include "ui/panel/projection_section.h"
 #include "ui/parts/controls.h"
@@ -145,7 +145,7 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     }
     const char* const front_label = widgets::IsListing() ? marked("Front face") : "##front_face";
     control(params, "cull.front_face", {.width = choice, .names = fronts, .label = front_label});
-    if (control(params, "visibility.method", {.width = choice, .names = method_names, .label = marked("method")}))
+    if (control(params, "visibility.method", {.width = choice, .names = method_names(), .label = marked("method")}))
         params.view.lower_right = Topic::automatic;  // the topic that suits the method
     draw_hidden_panel(hidden_state, session, hidden);
 }

@@ -1,5 +1,7 @@
 #include "ui/parts/topics.h"
 
+#include "frame/hidden/hidden_method.h"
+
 namespace viewing {
 namespace {
 
@@ -14,7 +16,7 @@ Topic topic_of(const Params& params, Slot slot) {
     if (chosen != Topic::automatic) return chosen;
     if (slot == Slot::left) return Topic::observer;
     const VisibilityMethod method = params.visibility.method;
-    if (method == VisibilityMethod::bsp) return Topic::tree;
+    if (hidden_method(method).has_tree) return Topic::tree;
     return is_drawn_by_gl_alone(method) ? Topic::depth : Topic::order;
 }
 

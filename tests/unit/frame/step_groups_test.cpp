@@ -156,7 +156,7 @@ TEST_F(StepGroups, OrdersTouchWhenTheyDrawOverThePixel) {
 TEST_F(StepGroups, EachItemOfAnOrderIsDrawnByItsStepAndNotBefore) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp}) {
         const auto all = at(method, -1);
-        const std::vector<int> steps = steps_of_order(*all);
+        const std::vector<int>& steps = all->order_steps;
         ASSERT_EQ(steps.size(), all->order.size());
         for (std::size_t place = 0; place < steps.size(); ++place) {
             const int step = steps[place] == all->step_count ? -1 : steps[place];
