@@ -7,12 +7,12 @@ namespace viewing::kinds {
 
 inline Form<std::optional<glm::dmat4>> matrix(const Field& field) {
     const Range range = component_range(field, 0);
-    const Json row = form::list_of(form::number_in(range), 4, 4), rows = form::list_of(row, 4, 4);
+    const Json row = form::list_of(form::number_in(range), 4, 4);
     return or_null<glm::dmat4>(
         {"null or 4 rows of 4 numbers, " + each_in_range(field),
          {},
          [range](const Json& value, const Where& where) { return read_matrix(value, where, range); },
-         [rows](Json&) { return rows; }});
+         [row](Json&) { return form::list_of(row, 4, 4); }});
 }
 
 inline void fix_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {

@@ -63,9 +63,10 @@ private:
             std::vector<std::string> names;
             for (const Field* field : fields_of(group)) names.emplace_back(field->name());
             Params params;
+            const std::string prefix = group + ".";
             for (const auto& [key, value] : object.items()) {
                 require_known_key(key, where, names);
-                read_field(field(group + "." + key), params, value, where.key(key));
+                read_field(field(prefix + key), params, value, where.key(key));
             }
             return (params.*List::member).front();
         };

@@ -20,6 +20,7 @@ Form<Vector> vector(const std::vector<Form<Entry>>& entries, const std::string& 
 template <typename Vector>
 Form<Vector> components(const Field& field, const std::string& what) {
     std::vector<Form<double>> entries;
+    entries.reserve(Vector::length());
     for (int i = 0; i < Vector::length(); ++i) entries.push_back(form::number(component_range(field, i)));
     return vector<Vector>(entries, what);
 }

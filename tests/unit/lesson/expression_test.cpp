@@ -92,6 +92,7 @@ TEST(Expression, ErrorIsOneSentence) {
     EXPECT_NE(trouble("apply(V, {1, 2})").find("must have 3 entries"), std::string::npos);
     EXPECT_NE(trouble("close(V, 1)").find("number expected"), std::string::npos);
     EXPECT_EQ(trouble("S"), "S is not here");
+    EXPECT_EQ(trouble("reversed()"), "bad argument #1 to 'reversed' (table expected, got no value)");
     EXPECT_NE(trouble("apply"), "");
     EXPECT_EQ(holds("1 + 1", around()).error(), "must be true or false, got the number 2");
     for (const char* const broken : {"1 +", "V[", "}", "", "a b", "\"", "1 = 2"})
