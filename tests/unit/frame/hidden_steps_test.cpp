@@ -144,6 +144,7 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
         ASSERT_TRUE(result->compare);
         EXPECT_EQ(result->counters.pixels_tested, step);
         EXPECT_EQ(result->compare->polygon, static_cast<int>(current));
+        EXPECT_EQ(result->drawn, static_cast<int>(polygons.size())) << "the steps are fragments, not polygons";
         const std::size_t pixel = result->image.index(result->compare->x, result->compare->y);
         const double depth = alone[current].depths[pixel];
         EXPECT_EQ(result->compare->depth, depth);
