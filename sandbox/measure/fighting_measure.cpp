@@ -104,7 +104,7 @@ Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Sce
 
 Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
                                    std::span<const FlatPair> pairs, WorkProgress* progress) {
-    if (const Message refusal = beyond_hidden_budget(scene, false); !refusal.empty()) return Error{say(refusal)};
+    if (const Message why = beyond_hidden_budget(scene, false); !why.empty()) return Error{say(why)};
     const Params params = counted_params(state);
     const glm::ivec2 size_px(drawn.width, drawn.height);
     ExactVisibility exact(params, derive(params, scene, {size_px}), scene, size_px, progress);

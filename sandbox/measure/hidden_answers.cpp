@@ -23,7 +23,7 @@ Result<FramePlan> plan_at_once(Renderer& renderer, const Params& params, const D
                                glm::ivec2 size_px) {
     const std::optional<HiddenQuestion> question = hidden_question(params, derived, size_px);
     if (!question) return plan(params, derived);
-    if (const Message refusal = beyond_hidden_budget(scene, *question); !refusal.empty()) return Error{say(refusal)};
+    if (const Message why = beyond_hidden_budget(scene, *question); !why.empty()) return Error{say(why)};
     HiddenSurfaceSolver solver(scene);
     HiddenAnswer answer = answer_hidden_question(solver, *question);
     if (Status done = complete_difference(renderer, params, derived, scene, answer); !done) return Error{done.error()};

@@ -106,8 +106,7 @@ void HiddenWorker::start(Job job) {
     is_dropped_ = false;
     if (!solver_) solver_ = std::make_shared<Solver>();
     task_.start([kept = solver_, job = std::move(job)](WorkProgress& progress) -> Result<Answer> {
-        if (const Message refusal = beyond_hidden_budget(job.scene, job.question); !refusal.empty())
-            return Error{say(refusal)};
+        if (const Message why = beyond_hidden_budget(job.scene, job.question); !why.empty()) return Error{say(why)};
         if (kept->scene_version != job.scene_version) {
             kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene, &progress);
             // If the work was canceled, the solver is incomplete.

@@ -51,7 +51,7 @@ Json extent_of(const Polygon& polygon, const Viewpoint& viewpoint) {
 }  // namespace
 
 Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px) {
-    if (const Message refusal = beyond_hidden_budget(scene, false); !refusal.empty()) return Error{say(refusal)};
+    if (const Message why = beyond_hidden_budget(scene, false); !why.empty()) return Error{say(why)};
     const SceneSurface surface = surface_of(scene);
     const Viewpoint viewpoint = hidden_request(params, derive(params, scene, Viewport{size_px}), size_px).viewpoint;
     const std::vector<Polygon> polygons =
@@ -85,7 +85,7 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
 }
 
 Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px) {
-    if (const Message refusal = beyond_hidden_budget(scene, true); !refusal.empty()) return Error{say(refusal)};
+    if (const Message why = beyond_hidden_budget(scene, true); !why.empty()) return Error{say(why)};
     const SceneSurface surface = surface_of(scene);
     const BspTree tree = build_bsp(surface.polygons, {.splitter = params.visibility.splitter,
                                                       .epsilon = params.visibility.epsilon * surface.diagonal});
@@ -98,7 +98,7 @@ Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::iv
 }
 
 Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px) {
-    if (const Message refusal = beyond_hidden_budget(scene, true); !refusal.empty()) return Error{say(refusal)};
+    if (const Message why = beyond_hidden_budget(scene, true); !why.empty()) return Error{say(why)};
     Params by_newell = params;
     by_newell.visibility.method = VisibilityMethod::newell;
     const HiddenRequest request = hidden_request(by_newell, derive(params, scene, Viewport{size_px}), size_px);

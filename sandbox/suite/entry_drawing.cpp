@@ -83,8 +83,7 @@ Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, boo
     subject.derived = derive(wanted, subject.scene, Viewport{entry.size_px});
     if (const Status finite = check_finite(subject.derived); !finite) return Error{finite.error()};
     if (const auto question = hidden_question(wanted, subject.derived, entry.size_px))
-        if (const Message refusal = beyond_hidden_budget(subject.scene, *question); !refusal.empty())
-            return Error{say(refusal)};
+        if (const Message why = beyond_hidden_budget(subject.scene, *question); !why.empty()) return Error{say(why)};
     return subject;
 }
 

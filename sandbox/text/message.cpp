@@ -4,7 +4,8 @@
 
 namespace viewing {
 
-Message::Message(std::string_view english, std::vector<Value> values) : english_(english), values_(std::move(values)) {}
+Message::Message(fmt::string_view english, std::vector<Value> values)
+    : english_(english.data(), english.size()), values_(std::move(values)) {}
 
 bool Message::operator==(const Message& other) const {
     return english_ == other.english_ && values_ == other.values_;

@@ -25,7 +25,7 @@ public:
     template <std::size_t N>
     Message(const char (&english)[N]) : english_(english) {}  // NOLINT(google-explicit-constructor)
     /// `english` must live as long as the program, as literals do.
-    Message(std::string_view english, std::vector<Value> values);
+    Message(fmt::string_view english, std::vector<Value> values);
 
     bool empty() const { return english_.empty(); }
     /// Returns the placeholders' names and what replaces them in the current language.
@@ -64,16 +64,14 @@ Message::Value message_value(const char* name, const T& said) {
 /// The compiler checks that each placeholder has a value, as in say().
 template <typename... Values>
 Message message(fmt::format_string<Values...> english, Values&&... values) {
-    const fmt::string_view id = english;
-    return {std::string_view(id.data(), id.size()), {message_value(values.name, values.value)...}};
+    return {english, {message_value(values.name, values.value)...}};
 }
 
 /// The message of say_count().
 template <typename... Values>
 Message message_count(std::int64_t count, fmt::format_string<CountValue, Values...> one,
                       fmt::format_string<CountValue, Values...> many, Values&&... values) {
-    const fmt::string_view id = count == 1 ? one : many;
-    return {std::string_view(id.data(), id.size()),
+    return {count == 1 ? one : many,
             {message_value("count", grouped_number(count)), message_value(values.name, values.value)...}};
 }
 

@@ -273,7 +273,7 @@ TEST_F(CellView, StepsThroughCallsAndTriangles) {
     EXPECT_EQ(params.view.call, -1);
     ui.click("cells/calls/call");
     ui.frames(2);
-    ui.click("cells/calls/1  " + name_of(data.calls[0], frame_plan, session.scene()));
+    ui.click("cells/calls/1  " + say(name_of(data.calls[0], frame_plan, session.scene())));
     ui.frames(2);
     EXPECT_EQ(params.view.call, 0);
     EXPECT_EQ(params.view.triangle, -1);

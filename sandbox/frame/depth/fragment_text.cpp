@@ -27,67 +27,36 @@ Pair float_pair(std::uint32_t incoming, std::uint32_t stored) {
     return {bits_text(incoming), bits_text(stored)};
 }
 
-const char* relation(CompareFunc func) {
-    switch (func) {
-        case CompareFunc::less:
-            return " < ";
-        case CompareFunc::equal:
-            return " = ";
-        case CompareFunc::lequal:
-            return " ≤ ";
-        case CompareFunc::greater:
-            return " > ";
-        case CompareFunc::notequal:
-            return " ≠ ";
-        case CompareFunc::gequal:
-            return " ≥ ";
-        case CompareFunc::never:
-        case CompareFunc::always:
-            break;
-    }
-    return "";
-}
-
 bool asks_nothing(CompareFunc func) {
     return func == CompareFunc::never || func == CompareFunc::always;
 }
 
-/// Describes the effect on color and depth if GL's rounding decides.
-Message rounding_sentence(const Fragment& fragment, const Message& name) {
-    if (!fragment.passes)
-        return message("{fragment}: GL's rounding decides here, so the pixel is unchanged.", "fragment"_a = name);
-    if (!fragment.depth.write && fragment.drawn)
-        return message("{fragment}: GL's rounding decides here, so the color is replaced; the mask keeps the depth.",
-                       "fragment"_a = name);
-    if (!fragment.depth.write)
-        return message("{fragment}: GL's rounding decides here, so nothing is written.", "fragment"_a = name);
-    return fragment.drawn
-               ? message("{fragment}: GL's rounding decides here, so color and depth are replaced.",
-                         "fragment"_a = name)
-               : message("{fragment}: GL's rounding decides here, so the depth is replaced but the color is not.",
-                         "fragment"_a = name);
-}
-
-/// Describes the effect on color and depth if the comparison decides.
-Message compare_decision(const Fragment& fragment, const Message& name, const std::string& asked) {
-    if (!fragment.passes) {
-        if (asks_nothing(fragment.depth.func))
-            return message("{fragment}: {compare}, so the pixel is unchanged.", "fragment"_a = name,
-                           "compare"_a = asked);
-        return fragment.tie ? message("{fragment}: {compare} is false (a tie), so the pixel is unchanged.",
-                                      "fragment"_a = name, "compare"_a = asked)
-                            : message("{fragment}: {compare} is false, so the pixel is unchanged.", "fragment"_a = name,
-                                      "compare"_a = asked);
-    }
-    if (!fragment.depth.write && fragment.drawn)
-        return message("{fragment}: {compare}, so the color is replaced; the mask keeps the depth.",
-                       "fragment"_a = name, "compare"_a = asked);
-    if (!fragment.depth.write)
-        return message("{fragment}: {compare}, so nothing is written.", "fragment"_a = name, "compare"_a = asked);
-    return fragment.drawn ? message("{fragment}: {compare}, so color and depth are replaced.", "fragment"_a = name,
-                                    "compare"_a = asked)
-                          : message("{fragment}: {compare}, so the depth is replaced but the color is not.",
-                                    "fragment"_a = name, "compare"_a = asked);
+/// Returns the sentence about what happens to a fragment and its pixel.
+const char* decision_of(const Fragment& fragment) {
+    static constexpr const char* by_rounding[] = {
+        marked("{fragment}: GL's rounding decides here, so the pixel is unchanged."),
+        marked("{fragment}: GL's rounding decides here, so color and depth are replaced."),
+        marked("{fragment}: GL's rounding decides here, so the depth is replaced but the color is not."),
+        marked("{fragment}: GL's rounding decides here, so the color is replaced; the mask keeps the depth."),
+        marked("{fragment}: GL's rounding decides here, so nothing is written.")};
+    static constexpr const char* by_compare[] = {
+        marked("{fragment}: {compare}, so the pixel is unchanged."),
+        marked("{fragment}: {compare}, so color and depth are replaced."),
+        marked("{fragment}: {compare}, so the depth is replaced but the color is not."),
+        marked("{fragment}: {compare}, so the color is replaced; the mask keeps the depth."),
+        marked("{fragment}: {compare}, so nothing is written.")};
+    if (fragment.culled)
+        return fragment.front_facing ? marked("{fragment} is culled: it is front-facing.")
+                                     : marked("{fragment} is culled: it is back-facing.");
+    if (fragment.stencil_fails) return marked("{fragment}: the stencil test fails, so the pixel is unchanged.");
+    if (!fragment.is_sent) return marked("{fragment} is not sent to GL: the method found another surface here.");
+    if (!fragment.depth.test)
+        return marked("{fragment}: the depth test is off, so the color is replaced but the depth is not.");
+    const int effect = !fragment.passes ? 0 : 1 + (fragment.drawn ? 0 : 1) + (fragment.depth.write ? 0 : 2);
+    if (fragment.decided_by_rounding) return by_rounding[effect];
+    if (fragment.passes || asks_nothing(fragment.depth.func)) return by_compare[effect];
+    return fragment.tie ? marked("{fragment}: {compare} is false (a tie), so the pixel is unchanged.")
+                        : marked("{fragment}: {compare} is false, so the pixel is unchanged.");
 }
 
 /// Returns the fragment, corrected to match its cell, which was read back before and after the fragment was drawn.
@@ -123,10 +92,11 @@ std::string bits_text(std::uint32_t stored) {
 
 std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t stored,
                          const DepthPrecision& precision) {
+    static constexpr const char* relations[] = {"", " < ", " = ", " ≤ ", " > ", " ≠ ", " ≥ ", ""};
     if (asks_nothing(func)) return gl_name(func);
     const Pair pair =
         precision.is_float ? float_pair(incoming, stored) : Pair{grouped_number(incoming), grouped_number(stored)};
-    return pair.incoming + relation(func) + pair.stored;
+    return pair.incoming + relations[static_cast<std::size_t>(func)] + pair.stored;
 }
 
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {
@@ -154,20 +124,8 @@ Message fragment_name(const Fragment& fragment) {
 }
 
 Message decision_sentence(const Fragment& fragment, const DepthPrecision& precision) {
-    const Message name = fragment_name(fragment);
-    if (fragment.culled)
-        return fragment.front_facing ? message("{fragment} is culled: it is front-facing.", "fragment"_a = name)
-                                     : message("{fragment} is culled: it is back-facing.", "fragment"_a = name);
-    if (fragment.stencil_fails)
-        return message("{fragment}: the stencil test fails, so the pixel is unchanged.", "fragment"_a = name);
-    if (!fragment.is_sent)
-        return message("{fragment} is not sent to GL: the method found another surface here.", "fragment"_a = name);
-    if (!fragment.depth.test)
-        return message("{fragment}: the depth test is off, so the color is replaced but the depth is not.",
-                       "fragment"_a = name);
-    if (fragment.decided_by_rounding) return rounding_sentence(fragment, name);
-    return compare_decision(fragment, name,
-                            compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision));
+    return message(fmt::runtime(decision_of(fragment)), "fragment"_a = fragment_name(fragment),
+                   "compare"_a = compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision));
 }
 
 Message cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,

@@ -92,27 +92,17 @@ glm::dvec3 derivation_point(const Derived& derived) {
 }
 
 const char* sentence_of(ShadowRay ray) {
-    switch (ray) {
-        case ShadowRay::regular:
-            return "";
-        case ShadowRay::point_in_plane:
-            return marked("p lies in the plane: it is its own shadow.");
-        case ShadowRay::point_behind:
-            return marked("p lies behind the plane: the ray meets the plane first, so s is a false shadow.");
-        case ShadowRay::beyond_light:
-            return marked(
-                "p is farther from the plane than the light is: the line meets the plane behind the light, where w has "
-                "the opposite sign, so s is an anti-shadow.");
-        case ShadowRay::parallel:
-            return marked("The ray is parallel to the plane: w = 0, and s lies at infinity.");
-        case ShadowRay::light_in_plane:
-            return marked(
-                "The light lies in the plane: S sends every point to the light itself, or to infinity if the light is "
-                "parallel. There is no shadow.");
-        case ShadowRay::at_light:
-            return marked("p coincides with the light: there is no ray.");
-    }
-    return "";
+    static constexpr const char* sentences[] = {
+        "",
+        marked("p lies in the plane: it is its own shadow."),
+        marked("p lies behind the plane: the ray meets the plane first, so s is a false shadow."),
+        marked("p is farther from the plane than the light is: the line meets the plane behind the light, where w has "
+               "the opposite sign, so s is an anti-shadow."),
+        marked("The ray is parallel to the plane: w = 0, and s lies at infinity."),
+        marked("The light lies in the plane: S sends every point to the light itself, or to infinity if the light is "
+               "parallel. There is no shadow."),
+        marked("p coincides with the light: there is no ray.")};
+    return sentences[static_cast<std::size_t>(ray)];
 }
 
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world) {

@@ -322,9 +322,8 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
         question.pixel + glm::ivec2(question.pixel.x + 1 < question.viewport.size_px.x ? 1 : -1, 0);
     const PixelChain there = pixel_chain(question.plan, question.finder, beside, question.viewport.size_px);
     const Touch* seen = there.surface(question.plan);
-    const int object = surface->fragment.object_index;
     if (seen)
-        said.push_back(seen->fragment.object_index == object
+        said.push_back(seen->fragment.object_index == surface->fragment.object_index
                            ? message("By exact depth, the neighboring pixel shows the same surface.")
                            : message("By exact depth, the neighboring pixel shows {surface}.",
                                      "surface"_a = surface_name(question, seen->fragment.object_index)));

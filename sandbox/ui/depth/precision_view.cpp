@@ -114,7 +114,6 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     std::vector<std::string> labels;
     labels.reserve(things.size());
     for (const DistanceMark& thing : things) {
-        if (thing.z <= 0.0) continue;
         labels.push_back(is_small || is_on_stage ? "" : say(thing.label));
         marks.push_back({labels.back().c_str(), thing.z, thing.is_plane ? palette().plane : 0});
     }

@@ -57,7 +57,7 @@ void start(GrowthViewState& state, const Scene& scene) {
                            scene](WorkProgress& progress) -> Result<std::vector<GrowthRow>> {
         GrowthRequest request{.scene = which};
         if (which == GrowthScene::own_polygons) {
-            if (const Message refusal = beyond_hidden_budget(scene, true); !refusal.empty()) return Error{say(refusal)};
+            if (const Message why = beyond_hidden_budget(scene, true); !why.empty()) return Error{say(why)};
             request.own_polygons = surface_of(scene).polygons;
         }
         return measure_growth(request, &progress, [&log](const GrowthRow& row) { log->add(row); });
