@@ -1,5 +1,5 @@
-// The program's entry point. Everything it does starts from the command line; read cli/run.cpp next.
-#include "cli/run.h"
+// The program's entry point. Everything it does starts from the command line; read cli/command_line.cpp next.
+#include "cli/command_line.h"
 #include "cli/signals.h"
 #include "platform/heap.h"
 #include "platform/leave.h"

@@ -5,7 +5,7 @@
 
 #include "lesson/allowed.h"
 #include "lesson/filled_text.h"
-#include "lesson/progress.h"
+#include "lesson/goal_progress.h"
 #include "lesson/question_kind.h"
 #include "lesson/typed_matrix.h"
 #include "report/lesson_numbers.h"

@@ -16,7 +16,7 @@
 
 #include "gl/dialect.h"
 #include "report/state_numbers.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
 #include "ui/views/lower_view.h"

@@ -3,10 +3,10 @@
 
 #include "cli/commands.h"
 #include "cli/ending_report.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/thresholds.h"
-#include "cli/values.h"
 #include "image/compare.h"
 #include "image/png.h"
 

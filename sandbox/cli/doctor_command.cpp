@@ -19,7 +19,7 @@
 #include "gl/egl_context.h"
 #include "gl/facts.h"
 #include "platform/file.h"
-#include "render/driver_depth.h"
+#include "render/driver_depth_test.h"
 #include "render/renderer.h"
 #include "report/as_json.h"
 #include "state/presets.h"

@@ -1,6 +1,6 @@
 #include "cli/headless.h"
 
-#include "cli/values.h"
+#include "cli/option_values.h"
 #include "frame/hidden/hidden_views.h"
 #include "platform/heap.h"
 #include "platform/leave.h"

@@ -5,10 +5,10 @@
 
 #include "cli/commands.h"
 #include "cli/headless.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/state_arguments.h"
-#include "cli/values.h"
 #include "frame/pinned_pixel.h"
 #include "platform/text_file.h"
 #include "report/pixel_as_json.h"

@@ -2,11 +2,11 @@
 // checks its file, prints its plan, or writes a handout.
 #include "cli/commands.h"
 #include "cli/headless.h"
+#include "cli/opened_window.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/results/lesson_handout.h"
-#include "cli/values.h"
-#include "cli/window_commands.h"
 #include "lesson/lesson.h"
 #include "text/words.h"
 

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/results/chosen_matrices.h"
 #include "cli/results/explained_text.h"
 #include "cli/state_arguments.h"
-#include "cli/values.h"
 #include "frame/look_at_text.h"
 #include "frame/matrix_text.h"
 #include "report/as_json.h"

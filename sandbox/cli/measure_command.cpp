@@ -1,18 +1,18 @@
 // measure: measures a frame, or the costs of methods as the number of polygons grows. Read report/visibility_report.h
-// and report/fighting_report.h next.
+// and report/fighting_as_json.h next.
 #include <array>
 #include <limits>
 
 #include "cli/commands.h"
 #include "cli/headless.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/state_arguments.h"
-#include "cli/values.h"
 #include "frame/hidden/hidden_budget.h"
 #include "frame/hidden/hidden_surfaces.h"
 #include "report/as_json.h"
-#include "report/fighting_report.h"
+#include "report/fighting_as_json.h"
 #include "report/mirror_report.h"
 #include "report/order_report.h"
 #include "report/visibility_report.h"

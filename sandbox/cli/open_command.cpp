@@ -1,9 +1,9 @@
 // open: opens the window on screen.
 #include "cli/commands.h"
+#include "cli/opened_window.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/state_arguments.h"
-#include "cli/values.h"
-#include "cli/window_commands.h"
 #include "lesson/exercise.h"
 
 namespace viewing {

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <variant>
 
+#include "cli/option_values.h"
 #include "cli/output.h"
-#include "cli/values.h"
 #include "text/words.h"
 
 namespace viewing {

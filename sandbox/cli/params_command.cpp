@@ -2,13 +2,13 @@
 #include <array>
 
 #include "cli/commands.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/values.h"
 #include "lesson/exercise.h"
 #include "lesson/hand_in.h"
-#include "state/file/json.h"
 #include "state/file/schema.h"
+#include "state/file/state_json.h"
 #include "suite/suite.h"
 
 namespace viewing {

@@ -1,8 +1,8 @@
 // presets: lists the presets and scenes that come with the program, one per line.
 #include "cli/commands.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/values.h"
 #include "state/file/document.h"
 #include "state/presets.h"
 #include "state/scene.h"

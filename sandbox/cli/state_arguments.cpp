@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/option_values.h"
 #include "cli/output.h"
-#include "cli/values.h"
 #include "platform/text_file.h"
 #include "state/fields.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/words.h"
 
 namespace viewing {

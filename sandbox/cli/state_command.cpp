@@ -2,13 +2,13 @@
 #include <algorithm>
 
 #include "cli/commands.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/results/bundle.h"
 #include "cli/state_arguments.h"
-#include "cli/values.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "cli/values.h"
+#include "cli/option_values.h"
 #include "image/png.h"
 #include "text/words.h"
 

@@ -1,6 +1,6 @@
 #include "frame/say.h"
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 

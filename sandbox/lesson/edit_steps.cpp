@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "lesson/append.h"
-#include "state/file/json.h"
 #include "state/file/reader.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

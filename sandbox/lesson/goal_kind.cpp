@@ -1,7 +1,7 @@
 // A question that is answered by changing the state on the screen until a condition holds.
 #include "lesson/question_form.h"
 #include "state/fields.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 
 namespace viewing {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lesson/progress.h"
+#include "lesson/goal_progress.h"
 #include "lesson/question_kind.h"
 
 namespace viewing {

@@ -1,6 +1,6 @@
 // A guided lesson, as its file describes it, or a lecture made of lessons, steps and presets. Each step asks a question
 // before it shows the answer. Each step's state is complete, so a step can be revisited, reached directly and tested
-// alone. See reader.cpp for the file, judge.h for answers, and run.h for the progress through a lesson.
+// alone. See lesson_reader.cpp for the file, judge.h for answers, and lesson_run.h for the progress through a lesson.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "geometry/plane.h"
 #include "lesson/lua.h"
-#include "state/compare.h"
+#include "state/compare_func.h"
 #include "state/fields.h"
 #include "text/numbers.h"
 

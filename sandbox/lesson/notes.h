@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lesson/judge.h"
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 
 namespace viewing {
 

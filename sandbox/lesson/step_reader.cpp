@@ -5,9 +5,9 @@
 
 #include "lesson/expression.h"
 #include "lesson/question_form.h"
-#include "lesson/targets.h"
-#include "state/file/json.h"
+#include "lesson/target_names.h"
 #include "state/file/schema.h"
+#include "state/file/state_json.h"
 #include "state/scene.h"
 #include "text/words.h"
 

@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "lesson/step_reader.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/numbers.h"
 
 namespace viewing {

@@ -10,7 +10,7 @@
 #include "frame/ground.h"
 #include "geometry/shapes.h"
 #include "gl/dialect.h"
-#include "render/driver_depth.h"
+#include "render/driver_depth_test.h"
 #include "render/gpu_drawing.h"
 #include "render/gpu_mesh.h"
 #include "render/masks.h"

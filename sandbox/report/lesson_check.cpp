@@ -8,7 +8,7 @@
 #include "lesson/question_kind.h"
 #include "lesson/typed_matrix.h"
 #include "report/lesson_numbers.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -6,7 +6,7 @@
 #include "frame/plan.h"
 #include "frame/problems.h"
 #include "report/as_json.h"
-#include "report/fighting_report.h"
+#include "report/fighting_as_json.h"
 #include "report/matrices_report.h"
 #include "report/mirror_report.h"
 #include "report/order_report.h"

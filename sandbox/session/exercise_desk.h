@@ -9,7 +9,7 @@
 
 #include "lesson/exercise.h"
 #include "lesson/hand_in.h"
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 #include "platform/background.h"
 #include "session/session.h"
 #include "state/person/lesson_progress.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "platform/free_file.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

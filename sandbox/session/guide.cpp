@@ -5,7 +5,7 @@
 
 #include "lesson/blend.h"
 #include "lesson/question_kind.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
 

@@ -1,13 +1,13 @@
 // Guides a session through a lesson: sets each step's state, waits for the answer, and shows it. In between, the user
-// may change anything; one call restores the step. Read lesson/run.h for the position in the lesson.
+// may change anything; one call restores the step. Read lesson/lesson_run.h for the position in the lesson.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "lesson/lesson_run.h"
 #include "lesson/linked_step.h"
-#include "lesson/run.h"
 #include "platform/background.h"
 #include "session/session.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "platform/file.h"
 #include "session/session.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 
 namespace viewing {

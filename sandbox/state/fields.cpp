@@ -1,5 +1,5 @@
 // The list of all fields, in the order of the state file, and the names of the enumerations. This file is long because
-// it is a table. Its wording follows the lecture. Read ranges.cpp next, then json.h.
+// it is a table. Its wording follows the lecture. Read ranges.cpp next, then file/state_json.h.
 #include "state/fields.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Does with a field what its kind says. The folder kinds declares each kind once: its name; its form, which reads a
 // value, says what is allowed, and makes the schema; how a value is written; and how a value is clamped and blended.
-// Code that needs a window or a random generator is elsewhere, with an overload for each type: ui/parts/controls.cpp
-// draws the controls, and the tests' random_params.h makes random values.
+// Code that needs a window or a random generator is elsewhere, with an overload for each type:
+// ui/parts/field_controls.cpp draws the controls, and the tests' random_params.h makes random values.
 #include "state/kinds/choices.h"
 #include "state/kinds/matrices.h"
 #include "state/kinds/objects.h"

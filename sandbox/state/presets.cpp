@@ -7,9 +7,9 @@
 #include "platform/file.h"
 #include "platform/text_file.h"
 #include "state/file/document.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
 #include "state/file/reader.h"
+#include "state/file/state_json.h"
 #include "state/scene.h"
 #include "text/words.h"
 

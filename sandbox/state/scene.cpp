@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "platform/text_file.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/mesh/coplanar.h"
 #include "state/mesh/mesh_cache.h"
 #include "state/presets.h"

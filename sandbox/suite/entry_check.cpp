@@ -7,7 +7,7 @@
 #include "image/png.h"
 #include "platform/file.h"
 #include "report/as_json.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "suite/entry_drawing.h"
 #include "suite/numbers_apart.h"
 #include "suite/picture_script.h"

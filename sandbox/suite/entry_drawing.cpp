@@ -7,12 +7,12 @@
 #include "platform/file.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
-#include "report/fighting_report.h"
+#include "report/fighting_as_json.h"
 #include "report/matrices_report.h"
 #include "report/mirror_report.h"
 #include "report/order_report.h"
 #include "report/visibility_report.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/numbers.h"
 
 namespace viewing {

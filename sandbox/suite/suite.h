@@ -1,5 +1,5 @@
 // A suite: states whose pictures and numbers must not change. See suite_reader.cpp for the file format, entry_check.h
-// for the check of one entry, and run.h for the run of all entries.
+// for the check of one entry, and suite_run.h for the run of all entries.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // The process that draws a suite's entries: it reads requests line by line and answers with results line by line. A
-// crash ends only this process. See run.h for the process that sends the requests.
+// crash ends only this process. See suite_run.h for the process that sends the requests.
 #pragma once
 
 #include <cstdio>

@@ -6,7 +6,7 @@
 
 #include "image/compare.h"
 #include "image/png.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "ui_frame.h"
 
 namespace viewing {

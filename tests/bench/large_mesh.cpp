@@ -6,7 +6,7 @@
 #include "frame/depth/near_advice.h"
 #include "frame/problems.h"
 #include "geometry/shapes.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

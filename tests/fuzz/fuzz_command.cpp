@@ -1,6 +1,6 @@
 // libFuzzer: passes arbitrary lines as arguments to a command that neither draws nor runs other commands. The command
 // must end with a documented status other than that of an internal error, and write nothing outside the working folder.
-#include "cli/run.h"
+#include "cli/command_line.h"
 #include "fuzz.h"
 #include "ui/monkey/confined.h"
 

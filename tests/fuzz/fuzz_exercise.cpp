@@ -3,7 +3,7 @@
 // measured: every looked-up value is 1.5.
 #include "fuzz.h"
 #include "lesson/exercise.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/scene.h"
 
 using namespace viewing;

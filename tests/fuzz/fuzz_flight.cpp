@@ -2,7 +2,7 @@
 // must either yield an error or be a state that round-trips, and must not depend on how playback reached it.
 #include "fuzz.h"
 #include "state/file/flight.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 using namespace viewing;
 

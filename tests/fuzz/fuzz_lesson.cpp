@@ -1,7 +1,7 @@
 // libFuzzer: reads arbitrary text as a lesson. An accepted lesson must have steps whose states round-trip exactly.
 #include "fuzz.h"
 #include "lesson/lesson.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/scene.h"
 
 namespace {

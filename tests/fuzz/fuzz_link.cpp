@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "platform/text_file.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
+#include "state/file/state_json.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // libFuzzer: reads arbitrary text as a scene file. An accepted scene must round-trip exactly.
 #include <cstdlib>
 
-#include "state/file/json.h"
 #include "state/file/reader.h"
+#include "state/file/state_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "state/fields.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "gl_test.h"
-#include "render/driver_depth.h"
+#include "render/driver_depth_test.h"
 #include "render/probe.h"
 
 namespace viewing {

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "state/compare.h"
+#include "state/compare_func.h"
 #include "state/presets.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"

@@ -2,7 +2,7 @@
 // settings. This holds both for GL's depth buffer and for hidden-surface methods in software.
 #include "app/picture.h"
 #include "gl/gl_test.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

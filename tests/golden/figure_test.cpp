@@ -1,8 +1,8 @@
 // Tests pictures of single views, as pixels and as vector drawings.
 #include <cmath>
 
-#include "app/figure.h"
 #include "app/picture.h"
+#include "app/vector_figure.h"
 #include "figure/faces.h"
 #include "frame/ground.h"
 #include "golden/states.h"

@@ -5,7 +5,7 @@
 #include "app/picture.h"
 #include "app/studio.h"
 #include "gl/gl_test.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

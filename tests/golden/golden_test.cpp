@@ -4,7 +4,7 @@
 #include "app/picture.h"
 #include "gl/gl_test.h"
 #include "image/compare.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

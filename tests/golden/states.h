@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/gl_test.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/presets.h"
 #include "state/scene.h"
 

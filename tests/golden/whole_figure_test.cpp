@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "app/figure.h"
 #include "app/resting_window.h"
+#include "app/vector_figure.h"
 #include "figure/faces.h"
 #include "figure/write.h"
 #include "golden/states.h"

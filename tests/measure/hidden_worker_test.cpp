@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "frame/hidden/scene_surface.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

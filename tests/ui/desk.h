@@ -17,7 +17,7 @@
 
 #include "frame/problems.h"
 #include "state/fields.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/person/language.h"
 #include "state/scene.h"
 #include "text/catalogue.h"

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "state/compare.h"
+#include "state/compare_func.h"
 #include "ui/depth/cell_text.h"
 #include "ui/depth/draw_steps.h"
 #include "ui/depth/pixel_numbers.h"

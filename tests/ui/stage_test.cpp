@@ -4,7 +4,7 @@
 #include <set>
 
 #include "desk.h"
-#include "lesson/targets.h"
+#include "lesson/target_names.h"
 #include "letters.h"
 #include "ui/parts/topics.h"
 

@@ -13,7 +13,7 @@
 #include "platform/text_file.h"
 #include "platform/whole_folder.h"
 #include "report/as_json.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/parts/caption.h"
+#include "ui/parts/picture_text.h"
 
 namespace viewing {
 namespace {

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "app/picture.h"
+#include "cli/option_values.h"
 #include "cli/results/grade_tables.h"
 #include "cli/state_arguments.h"
-#include "cli/values.h"
 #include "image/png.h"
 #include "lesson/typed_matrix.h"
 #include "state/person/language.h"

@@ -6,7 +6,7 @@
 #include "image/note_parts.h"
 #include "image/png.h"
 #include "platform/text_file.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdio>
 
-#include "state/compare.h"
+#include "state/compare_func.h"
 
 namespace viewing {
 namespace {

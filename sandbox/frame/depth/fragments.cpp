@@ -11,7 +11,7 @@
 #include "frame/depth/pixel_triangle.h"
 #include "frame/draw_calls.h"
 #include "geometry/shapes.h"
-#include "state/compare.h"
+#include "state/compare_func.h"
 
 namespace viewing {
 namespace {

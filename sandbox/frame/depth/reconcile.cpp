@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "state/compare.h"
+#include "state/compare_func.h"
 
 namespace viewing {
 namespace {

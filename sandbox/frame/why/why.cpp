@@ -6,7 +6,7 @@
 #include "frame/depth/fragment_text.h"
 #include "frame/draw_calls.h"
 #include "frame/say.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "state/file/form.h"
-#include "state/file/json.h"
 #include "state/file/schema.h"
+#include "state/file/state_json.h"
 #include "text/numbers.h"
 
 namespace viewing {

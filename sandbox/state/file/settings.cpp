@@ -2,8 +2,8 @@
 #include <charconv>
 #include <optional>
 
-#include "state/file/json.h"
 #include "state/file/reader.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 

@@ -5,7 +5,7 @@
 #include "frame/depth/decals.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/panel_parts.h"
 
 namespace viewing {

@@ -6,7 +6,7 @@
 #include "text/catalogue.h"
 #include "ui/hidden/method_words.h"
 #include "ui/hidden/step_rows.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
 #include "ui/parts/table_parts.h"

@@ -9,7 +9,7 @@
 #include "state/fields.h"
 #include "text/catalogue.h"
 #include "ui/hidden/step_text.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/panel_parts.h"
 #include "ui/parts/table_parts.h"
 

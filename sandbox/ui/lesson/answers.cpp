@@ -11,8 +11,8 @@
 #include "text/catalogue.h"
 #include "ui/lesson/answer_input.h"
 #include "ui/lesson/lesson_text.h"
+#include "ui/parts/drawn_subscripts.h"
 #include "ui/parts/look.h"
-#include "ui/parts/subscripts.h"
 
 namespace viewing {
 namespace {

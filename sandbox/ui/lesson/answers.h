@@ -1,7 +1,7 @@
 // The inputs for the answers to a lesson's questions: choices, numbers, vectors, matrices, tiles.
 #pragma once
 
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

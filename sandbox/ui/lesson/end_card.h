@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 #include "ui/lesson/start_page.h"
 
 namespace viewing {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/parts/subscripts.h"
+#include "ui/parts/drawn_subscripts.h"
 
 namespace viewing {
 

@@ -5,8 +5,8 @@
 
 #include "text/numbers.h"
 #include "ui/lesson/lesson_text.h"
+#include "ui/parts/drawn_subscripts.h"
 #include "ui/parts/look.h"
-#include "ui/parts/subscripts.h"
 
 namespace viewing {
 namespace {

@@ -1,7 +1,7 @@
 // The product of a question's tiles as it grows: a small matrix for the first tile, the first two, and so on.
 #pragma once
 
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

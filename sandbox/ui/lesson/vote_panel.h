@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 #include "ui/parts/input.h"
 #include "ui/parts/layout.h"
 

@@ -9,10 +9,10 @@
 #include "frame/matrix_facts.h"
 #include "geometry/camera.h"
 #include "text/catalogue.h"
-#include "ui/matrices/display_code.h"
+#include "ui/matrices/display_code_view.h"
 #include "ui/matrices/followed_point.h"
 #include "ui/matrices/shown_matrix.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 
 namespace viewing {

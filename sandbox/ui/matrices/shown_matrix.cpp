@@ -8,8 +8,8 @@
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
+#include "ui/parts/drawn_subscripts.h"
 #include "ui/parts/look.h"
-#include "ui/parts/subscripts.h"
 #include "ui/parts/table_parts.h"
 
 namespace viewing {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "state/file/beside.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "ui/depth/depth_panel.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
 #include "ui/parts/setting_words.h"

@@ -11,7 +11,7 @@
 #include "ui/depth/depth_panel.h"
 #include "ui/panel/beside_panel.h"
 #include "ui/panel/projection_section.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
 #include "ui/planes/shadow_panel.h"

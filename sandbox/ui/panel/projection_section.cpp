@@ -6,7 +6,7 @@
 #include <string>
 
 #include "text/catalogue.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"

@@ -1,5 +1,5 @@
 // A lesson's temporary changes to the window that are not part of the state: covered parts, highlighted parts, and a
-// marked place. Empty without a lesson. lesson/targets.h defines the names.
+// marked place. Empty without a lesson. lesson/target_names.h defines the names.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "text/catalogue.h"
-#include "ui/parts/figure.h"
 #include "ui/parts/look.h"
+#include "ui/parts/slide_figure.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_text.h"
 

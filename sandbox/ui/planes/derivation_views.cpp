@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "text/catalogue.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"

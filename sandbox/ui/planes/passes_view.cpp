@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lesson/targets.h"
+#include "lesson/target_names.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/look.h"

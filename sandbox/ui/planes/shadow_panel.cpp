@@ -7,7 +7,7 @@
 #include "frame/effect.h"
 #include "state/lists.h"
 #include "text/catalogue.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/panel_parts.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/file/beside.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "ui/depth/depth_views.h"
 #include "ui/parts/look.h"

@@ -5,7 +5,7 @@
 #include "frame/depth/depth_colors.h"
 #include "state/fields.h"
 #include "state/file/beside.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "ui/depth/depth_views.h"

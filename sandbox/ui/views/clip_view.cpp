@@ -6,7 +6,7 @@
 #include "frame/clip_space.h"
 #include "frame/depth/depth_precision.h"
 #include "text/catalogue.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/views/lower_view.h"

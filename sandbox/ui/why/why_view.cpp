@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_parts.h"
 #include "ui/parts/look.h"

@@ -6,7 +6,7 @@
 #include "state/file/link.h"
 #include "text/catalogue.h"
 #include "text/words.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
 #include "ui/window/window_layout.h"

@@ -4,7 +4,7 @@
 
 #include "lesson/exercise.h"
 #include "state/file/beside.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "ui/panel/beside_panel.h"
 #include "ui/window/areas.h"
 #include "ui/window/workbench.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "text/words.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/views/lower_view.h"
 
 namespace viewing {

@@ -94,7 +94,7 @@ struct SearchLimits {
     Place place = Place::window;
     bool may_choose_view = true;                      ///< otherwise the lower views are those of the step
     std::optional<std::vector<std::string>> movable;  ///< the fields and groups that may change; nullopt: all
-    std::vector<std::string> covered;                 ///< parts that are hidden until answered (lesson/targets.h)
+    std::vector<std::string> covered;                 ///< parts that are hidden until answered (lesson/target_names.h)
 };
 
 std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLimits& limits, const Params& params);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "lesson/targets.h"
+#include "lesson/target_names.h"
 #include "state/fields.h"
-#include "ui/matrices/display_code.h"
+#include "ui/matrices/display_code_view.h"
 #include "ui/matrices/followed_point.h"
 #include "ui/views/lower_view.h"
 

@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "image/png.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
+#include "state/file/state_json.h"
 #include "state/presets.h"
 
 namespace viewing::test {

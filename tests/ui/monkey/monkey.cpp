@@ -27,7 +27,7 @@
 #include "gl/debug.h"
 #include "gl/egl_context.h"
 #include "lesson/exercise.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "ui/desk.h"
 #include "ui/monkey/confined.h"
 #include "ui/monkey/hands.h"

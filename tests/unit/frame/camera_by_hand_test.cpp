@@ -5,7 +5,7 @@
 #include "frame/explain/take_matrix.h"
 #include "frame/matrix_facts.h"
 #include "geometry/camera.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "unit/frame/frame_test.h"
 
 namespace viewing {

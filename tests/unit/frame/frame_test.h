@@ -13,7 +13,7 @@
 
 #include "frame/problems.h"
 #include "geometry/shapes.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/presets.h"
 #include "state/scene.h"
 

@@ -5,7 +5,7 @@
 
 #include "frame/problems.h"
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "text/numbers.h"
 #include "unit/frame/frame_test.h"
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "lesson/allowed.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/presets.h"
 #include "unit/lesson/has.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 
 namespace viewing {
 namespace {

@@ -1,6 +1,6 @@
 // The names by which lessons cover and highlight things: each is known, and the error for a misspelled name suggests
 // the nearest one.
-#include "lesson/targets.h"
+#include "lesson/target_names.h"
 
 #include <gtest/gtest.h>
 

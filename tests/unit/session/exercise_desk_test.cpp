@@ -15,7 +15,7 @@
 #include "platform/shared_file.h"
 #include "platform/text_file.h"
 #include "session/guide.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "unit/state/scratch_folder.h"
 
 namespace viewing {

@@ -4,7 +4,7 @@
 
 #include "session/flight_recorder.h"
 #include "session/replay.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "session/session.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

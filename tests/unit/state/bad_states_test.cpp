@@ -2,7 +2,7 @@
 // allowed values.
 #include <gtest/gtest.h>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

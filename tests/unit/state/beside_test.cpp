@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "unit/state/random_params.h"
 
 namespace viewing {

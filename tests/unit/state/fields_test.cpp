@@ -9,7 +9,7 @@
 
 #include "listed_fields.h"
 #include "random_params.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "random_params.h"
 #include "state/file/flight.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

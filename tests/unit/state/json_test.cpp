@@ -1,5 +1,5 @@
 // Reading and writing state files: defaults, order, exactness, scenes, and the `params` command.
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "platform/sanitized.h"
 #include "random_params.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
+#include "state/file/state_json.h"
 #include "state/presets.h"
 
 namespace viewing {

@@ -9,7 +9,7 @@
 #include "platform/text_file.h"
 #include "scratch_folder.h"
 #include "state/fields.h"
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 #include "state/presets.h"
 
 namespace viewing {

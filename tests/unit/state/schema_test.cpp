@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "agreement.h"
-#include "state/file/json.h"
 #include "state/file/schema.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

@@ -1,7 +1,7 @@
 // Settings given as --set PATH=VALUE: their order, paths and values, and the errors of invalid ones.
 #include <gtest/gtest.h>
 
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 namespace viewing {
 namespace {

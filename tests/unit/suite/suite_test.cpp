@@ -12,7 +12,7 @@
 
 #include "suite/numbers_apart.h"
 #include "suite/report.h"
-#include "suite/run.h"
+#include "suite/suite_run.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -1,4 +1,4 @@
-#include "lesson/progress.h"
+#include "lesson/goal_progress.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "ui/window/caption.h"
+#include "ui/window/preset_caption.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/parts/figure.h"
+#include "ui/parts/slide_figure.h"
 
 #include <algorithm>
 #include <cmath>

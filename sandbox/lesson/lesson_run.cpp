@@ -1,4 +1,4 @@
-#include "lesson/run.h"
+#include "lesson/lesson_run.h"
 
 #include <algorithm>
 

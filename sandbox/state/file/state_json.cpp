@@ -1,6 +1,6 @@
 // The public interface of the readers and writers: state files, scene files and the `params` command. reader.cpp reads
 // fields, scene_reader.cpp reads objects, document.cpp parses text, and settings.cpp handles `--set`.
-#include "state/file/json.h"
+#include "state/file/state_json.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "ui/matrices/display_code.h"
+#include "ui/matrices/display_code_view.h"
 
 #include <algorithm>
 #include <cfloat>

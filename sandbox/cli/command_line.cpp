@@ -1,5 +1,5 @@
 // Lists all commands and runs one. commands.h declares the commands; each is in its own file.
-#include "cli/run.h"
+#include "cli/command_line.h"
 
 #include <array>
 #include <cstdio>

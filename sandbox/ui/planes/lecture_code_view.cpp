@@ -1,6 +1,6 @@
 // The functions in this file build on one another: they draw words of code in color, break code into rows, draw a line
 // with its number, and draw a whole function.
-#include "ui/planes/lecture_code.h"
+#include "ui/planes/lecture_code_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "frame/planes/lecture_code.h"
 #include "text/catalogue.h"
 #include "text/words.h"
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
 

@@ -1,4 +1,4 @@
-#include "ui/parts/subscripts.h"
+#include "ui/parts/drawn_subscripts.h"
 
 #include <algorithm>
 #include <string_view>

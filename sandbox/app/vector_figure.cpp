@@ -1,4 +1,4 @@
-#include "app/figure.h"
+#include "app/vector_figure.h"
 
 #include "app/resting_window.h"
 

@@ -1,4 +1,4 @@
-#include "ui/parts/controls.h"
+#include "ui/parts/field_controls.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "suite/run.h"
+#include "suite/suite_run.h"
 
 #include <algorithm>
 #include <chrono>

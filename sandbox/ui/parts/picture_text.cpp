@@ -1,4 +1,4 @@
-#include "ui/parts/caption.h"
+#include "ui/parts/picture_text.h"
 
 #include <stb/stb_truetype.h>
 

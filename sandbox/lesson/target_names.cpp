@@ -1,4 +1,4 @@
-#include "lesson/targets.h"
+#include "lesson/target_names.h"
 
 #include <algorithm>
 #include <array>

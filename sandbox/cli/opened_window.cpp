@@ -1,4 +1,4 @@
-#include "cli/window_commands.h"
+#include "cli/opened_window.h"
 
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-#include "render/driver_depth.h"
+#include "render/driver_depth_test.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "report/fighting_report.h"
+#include "report/fighting_as_json.h"
 
 #include "measure/fighting_measure.h"
 #include "measure/minimum_gap.h"
