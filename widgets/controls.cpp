@@ -174,7 +174,7 @@ float ChoiceWidth(std::span<const char* const> names) {
 bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width) {
     const int count = static_cast<int>(names.size());
     if (width <= 0.0F) width = ChoiceWidth(names);
-    const char* preview = index >= 0 && index < count ? names[static_cast<std::size_t>(index)] : "—";
+    const char* preview = index >= 0 && index < count ? names[index] : "—";
     int edited = index;
 
     {

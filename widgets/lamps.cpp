@@ -71,7 +71,7 @@ void Lamps(const char* label, std::span<const Lamp> lamps, Role role) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const Group group(label);
     for (int i = 0; i < count; ++i) {
-        const Lamp& lamp = lamps[static_cast<std::size_t>(i)];
+        const Lamp& lamp = lamps[i];
         const ImVec2 at(min.x + each * static_cast<float>(i % per_row),
                         min.y + height * static_cast<float>(i / per_row));
         DrawLamp(draw, at, height, lamp, context.palette.of(role), face);

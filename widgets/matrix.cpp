@@ -168,7 +168,7 @@ void DrawTint(ImDrawList* draw, ImVec2 min, ImVec2 max, const CellState& state) 
 void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const MatrixStyle& style,
                 const CellState& state, int cell) {
     if (!measures.symbols) return;
-    const char* formula = style.cells[static_cast<std::size_t>(cell)].symbol;
+    const char* formula = style.cells[cell].symbol;
     if (*formula == '\0') return;
     const inner::FormulaLayout layout(formula, style.roles, CurrentContext().palette.quiet, measures.symbol);
     const float x = min.x + measures.cell_width - measures.inset - layout.size.x;
@@ -195,7 +195,7 @@ void DrawNumber(ImDrawList* draw, ImVec2 min, const Measures& measures, double v
 
 bool EditNumber(ImVec2 min, const Measures& measures, glm::dmat4& value, const MatrixStyle& style, int cell) {
     static const glm::dmat4 identity(1.0);
-    const MatrixCell* info = style.cells.empty() ? nullptr : &style.cells[static_cast<std::size_t>(cell)];
+    const MatrixCell* info = style.cells.empty() ? nullptr : &style.cells[cell];
     const NumberStyle number{.step = 0.01,
                              .decimals = measures.decimals,
                              .shows_tiny = true,
@@ -226,9 +226,9 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
         const std::string title = say("row {row}, column {column}", "row"_a = cell / 4 + 1, "column"_a = cell % 4 + 1);
         ImGui::TextUnformatted(title.c_str());
     }
-    if (!style.cells.empty() && *style.cells[static_cast<std::size_t>(cell)].symbol) {
-        const inner::FormulaLayout layout(style.cells[static_cast<std::size_t>(cell)].symbol, style.roles,
-                                          context.palette.text, inner::FaceOf(nullptr));
+    if (!style.cells.empty() && *style.cells[cell].symbol) {
+        const inner::FormulaLayout layout(style.cells[cell].symbol, style.roles, context.palette.text,
+                                          inner::FaceOf(nullptr));
         layout.Draw(ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos());
         ImGui::Dummy(layout.size);
     }
@@ -257,7 +257,7 @@ bool IsCellCovered(const MatrixStyle& style, int cell) {
 CellState StateOf(double value, const MatrixStyle& style, int cell, int hovered_cell) {
     CellState state{false, cell == hovered_cell, value == 0.0};
     if (style.cells.empty()) return state;
-    const MatrixCell& info = style.cells[static_cast<std::size_t>(cell)];
+    const MatrixCell& info = style.cells[cell];
     state.changed = info.changed;
     state.lit |= inner::IsEntryLit(info.own, info.links);
     return state;
@@ -325,7 +325,7 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
     }
 
     if (hovered_cell >= 0 && !style.cells.empty()) {
-        const MatrixCell& info = style.cells[static_cast<std::size_t>(hovered_cell)];
+        const MatrixCell& info = style.cells[hovered_cell];
         inner::PointAtEntry(info.own, info.links);
     }
     if (hovered_cell >= 0) {

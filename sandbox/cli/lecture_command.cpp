@@ -72,7 +72,7 @@ ExitStatus show_lecture(const Options& options, const TypedLecture& typed, const
     WindowMemory memory(remembered_file(), false);
     WindowStart start;
     start.link_address = address_option(options, "--base", typed.base);
-    LoadedState state = lecture.steps[static_cast<std::size_t>(step - 1)].start;
+    LoadedState state = lecture.steps[step - 1].start;
     start.lesson = LessonPicture{std::move(lecture), static_cast<std::size_t>(step - 1), false, typed.presents, true};
     start.notes = typed.notes.value_or("");
     memory.dress(state.params);

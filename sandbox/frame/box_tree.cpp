@@ -43,8 +43,7 @@ std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
     Cell cell{};
     for (int axis = 0; axis < 3; ++axis) {
         constexpr double cells = 1 << bits;
-        cell[static_cast<std::size_t>(axis)] =
-            static_cast<std::uint32_t>(share[axis] > 0.0 ? std::min(share[axis] * cells, cells - 1.0) : 0.0);
+        cell[axis] = static_cast<std::uint32_t>(share[axis] > 0.0 ? std::min(share[axis] * cells, cells - 1.0) : 0.0);
     }
     std::uint64_t place = 0;
     const Cell digits = digits_on_curve(cell);

@@ -148,7 +148,7 @@ std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& d
             const glm::dvec4 unprojected = view_from_clip * glm::dvec4(x, y, corner < 4 ? ndc_near : 1.0, 1.0);
             if (std::abs(unprojected.w) > 1e-9) corner_view = unprojected / unprojected.w;
         }
-        corners[static_cast<std::size_t>(corner)] = glm::dvec3(world_from_view * corner_view);
+        corners[corner] = glm::dvec3(world_from_view * corner_view);
     }
     return corners;
 }

@@ -21,8 +21,7 @@ bool is_drawn_as_it_comes(const Pass& pass) {
 
 /// Replaces "no triangle of a call" with "all triangles of the previous call".
 DrawLimit without_empty_call(DrawLimit limit, const std::vector<DrawCall>& calls) {
-    while (limit.triangles == 0 && limit.call > 0)
-        limit.triangles = calls[static_cast<std::size_t>(--limit.call)].triangles;
+    while (limit.triangles == 0 && limit.call > 0) limit.triangles = calls[--limit.call].triangles;
     return limit;
 }
 
@@ -77,7 +76,7 @@ DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls
     if (calls.empty()) return {0, 0};
     const int last = static_cast<int>(calls.size()) - 1;
     DrawLimit step{limit.call < 0 ? last : std::min(limit.call, last), 0};
-    step.triangles = triangles_drawn(limit, step.call, calls[static_cast<std::size_t>(step.call)].triangles);
+    step.triangles = triangles_drawn(limit, step.call, calls[step.call].triangles);
     step = without_empty_call(step, calls);
     step.triangles = std::max(step.triangles - 1, 0);
     return without_empty_call(step, calls);

@@ -52,7 +52,7 @@ struct CellBlock {
     glm::ivec2 size{0};         ///< columns and rows
     std::vector<BufferCell> cells;
 
-    const BufferCell& at(glm::ivec2 cell) const { return cells[static_cast<std::size_t>(cell.y * size.x + cell.x)]; }
+    const BufferCell& at(glm::ivec2 cell) const { return cells[cell.y * size.x + cell.x]; }
 };
 
 /// Histogram of the eye distances in a depth buffer: bins of equal width between near and far, on the view's scale.

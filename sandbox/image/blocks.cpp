@@ -16,9 +16,9 @@ void BlockFinder::add_row(int y, std::span<const std::uint8_t> difference, int w
     const int width = static_cast<int>(difference.size());
     std::size_t first_above = 0;
     for (int x = 0; x < width; ++x) {
-        if (difference[static_cast<std::size_t>(x)] <= worst) continue;
+        if (difference[x] <= worst) continue;
         Run run{x, x + 1, parents_.size()};
-        while (run.end < width && difference[static_cast<std::size_t>(run.end)] > worst) ++run.end;
+        while (run.end < width && difference[run.end] > worst) ++run.end;
         parents_.push_back(run.block);
         pixels_.push_back(run.end - run.begin);
         while (first_above < above_.size() && above_[first_above].end < run.begin) ++first_above;

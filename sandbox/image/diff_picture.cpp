@@ -46,9 +46,9 @@ Image diff_picture(const Image& a, const Image& b, const CompareOptions& options
                 blend(pixel, uncovered_color, 0.4);
             } else if (mask.leaves_out(x, y)) {
                 blend(pixel, dimmed_color, (x + y) % hatch_px == 0 ? 1.0 : 0.5);
-            } else if (const int d = difference[static_cast<std::size_t>(x)]; d > options.worst) {
+            } else if (const int d = difference[x]; d > options.worst) {
                 blend(pixel, beyond_color, 1.0);
-            } else if (rows.as_found()[static_cast<std::size_t>(x)] > options.worst) {
+            } else if (rows.as_found()[x] > options.worst) {
                 blend(pixel, resampled_color, 0.6);
             } else if (d > 0) {
                 blend(pixel, within_color, 0.4);

@@ -209,7 +209,7 @@ Result<Image> read_picture(std::FILE* file, const std::string& name, std::option
     Image image{static_cast<int>(width), static_cast<int>(height), {}};
     image.rgba.resize(image.row_bytes() * height);
     std::vector<png_bytep> rows(height);
-    for (int y = 0; y < image.height; ++y) rows[static_cast<std::size_t>(y)] = image.row(y);
+    for (int y = 0; y < image.height; ++y) rows[y] = image.row(y);
     if (!read_rows(reader, rows.data())) return read_failure(name, failure);
     return image;
 } catch (const std::bad_alloc&) {

@@ -15,7 +15,7 @@ struct QrCode {
     int modules = 0;         ///< on each side, without the margin
     std::vector<bool> dark;  ///< row by row from the top
 
-    bool is_dark(int row, int column) const { return dark[static_cast<std::size_t>(row * modules + column)]; }
+    bool is_dark(int row, int column) const { return dark[row * modules + column]; }
 };
 
 /// The most bytes that the largest QR code (version 40, lowest error correction) holds.

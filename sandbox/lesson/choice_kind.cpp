@@ -39,7 +39,7 @@ constexpr QuestionKind question_kinds::choice{
                const LessonReading&) { question.required("choices", choices_form(), in_ask(&Ask::choices)); },
     .read_wrong = read_wrong_numbers,
     .is_right = [](const Ask& ask, const Answer& answer, const Surroundings&) -> Result<bool> {
-        return answer.items.size() == 1 && ask.choices[static_cast<std::size_t>(answer.items[0])].right;
+        return answer.items.size() == 1 && ask.choices[answer.items[0]].right;
     },
     .model = [](const Ask& ask, const Surroundings&) -> Result<Answer> {
         const auto right = std::find_if(ask.choices.begin(), ask.choices.end(),

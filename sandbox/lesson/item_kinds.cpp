@@ -129,8 +129,7 @@ constexpr QuestionKind of_items(decltype(QuestionKind::read) read, const char* b
             [](const Ask& ask, const Answer& model) {
                 std::string words;
                 for (const int item : model.items)
-                    words +=
-                        (words.empty() ? "" : kind_of(ask).between) + ask.items[static_cast<std::size_t>(item)].shown();
+                    words += (words.empty() ? "" : kind_of(ask).between) + ask.items[item].shown();
                 return words;
             },
         .between = between,

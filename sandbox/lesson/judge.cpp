@@ -48,7 +48,7 @@ Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings&
     if (*right) return Verdict{.right = true};
     if (!ask.choices.empty()) {
         if (answer.items.empty()) return Verdict{};
-        const LessonChoice& chosen = ask.choices[static_cast<std::size_t>(answer.items.front())];
+        const LessonChoice& chosen = ask.choices[answer.items.front()];
         return Verdict{.say = chosen.why, .tag = chosen.tag};
     }
     for (const WrongAnswer& wrong : ask.wrong) {

@@ -42,9 +42,7 @@ struct PartRead {
 };
 
 const LessonStep& step_of(const Lesson& lesson, const Json& value, const Where& where) {
-    if (!value.is_string())
-        return lesson
-            .steps[static_cast<std::size_t>(read_whole(value, where, 1, static_cast<int>(lesson.steps.size())) - 1)];
+    if (!value.is_string()) return lesson.steps[read_whole(value, where, 1, static_cast<int>(lesson.steps.size())) - 1];
     const std::string& id = value.get_ref<const std::string&>();
     std::vector<std::string> ids;
     for (const LessonStep& step : lesson.steps) {

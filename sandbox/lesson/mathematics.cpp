@@ -26,10 +26,10 @@ struct Tensor {
     bool is_vector() const { return rows > 0 && columns == 0; }
     bool is_matrix() const { return columns > 0; }
     int size() const { return rows == 0 ? 1 : columns == 0 ? rows : rows * columns; }
-    double& entry(int row, int column) { return at[static_cast<std::size_t>(row * columns + column)]; }
-    double entry(int row, int column) const { return at[static_cast<std::size_t>(row * columns + column)]; }
-    double operator[](int i) const { return at[static_cast<std::size_t>(i)]; }
-    double& operator[](int i) { return at[static_cast<std::size_t>(i)]; }
+    double& entry(int row, int column) { return at[row * columns + column]; }
+    double entry(int row, int column) const { return at[row * columns + column]; }
+    double operator[](int i) const { return at[i]; }
+    double& operator[](int i) { return at[i]; }
     bool has_shape_of(const Tensor& other) const { return rows == other.rows && columns == other.columns; }
 };
 
@@ -151,7 +151,7 @@ int push(lua_State* lua, const Tensor& tensor) {
     }
     lua_createtable(lua, tensor.rows, 1);
     for (int row = 0; row < tensor.rows; ++row) {
-        push_row(lua, &tensor.at[static_cast<std::size_t>(row * tensor.columns)], tensor.columns);
+        push_row(lua, &tensor.at[row * tensor.columns], tensor.columns);
         lua_rawseti(lua, -2, row);
     }
     return 1;

@@ -42,7 +42,7 @@ std::optional<double> light_at(const glm::dvec4& row, int index, const glm::dvec
 /// `asked`.
 glm::dvec4 light_of_rows(const std::array<glm::dvec4, 4>& rows, const glm::dvec4& plane, const glm::dvec4& asked) {
     glm::dvec4 light = asked;
-    for (int i = 0; i < 4; ++i) light[i] = light_at(rows[static_cast<std::size_t>(i)], i, plane).value_or(asked[i]);
+    for (int i = 0; i < 4; ++i) light[i] = light_at(rows[i], i, plane).value_or(asked[i]);
     return light;
 }
 
@@ -99,7 +99,7 @@ std::optional<OtherRow> other_row(const std::vector<double>& numbers, const std:
     const auto vector_of = [&](const char* expression) {
         const Result<Json> value = evaluate(expression, surroundings);
         glm::dvec4 vector(0.0);
-        for (int i = 0; value && i < 4; ++i) vector[i] = (*value)[static_cast<std::size_t>(i)].get<double>();
+        for (int i = 0; value && i < 4; ++i) vector[i] = (*value)[i].get<double>();
         return vector;
     };
     const glm::dvec4 asked = vector_of("unit(plane.equation)"), light = vector_of("light.position");
@@ -108,7 +108,7 @@ std::optional<OtherRow> other_row(const std::vector<double>& numbers, const std:
     const glm::dvec4 whole = light_of_rows(rows, asked, light);
     for (int index = 0; index < 4; ++index) {
         if (std::find(right_rows.begin(), right_rows.end(), index + 1) != right_rows.end()) continue;
-        const glm::dvec4& row = rows[static_cast<std::size_t>(index)];
+        const glm::dvec4& row = rows[index];
         const std::optional<glm::dvec4> plane =
             is_mirror ? plane_of_mirror_row(row, index) : plane_of_shadow_row(row, index, light, asked);
         if (plane && !are_same(*plane, asked)) return OtherRow{index + 1, false, *plane};

@@ -89,8 +89,7 @@ void add_ask(Object<LessonStep>& step_form, const LessonReading& reading) {
             value->is_object() && has(*value, "kind") && (*value)["kind"].is_string() ? (*value)["kind"] : "";
         step.revealed = step.start.params;
         const auto at = std::find(std::begin(kind_names), std::end(kind_names), kind) - std::begin(kind_names);
-        if (where.part([&] { (*kinds)[static_cast<std::size_t>(at)].read_into(step, *value, where); }))
-            check_shown_matrix(step.ask, where);
+        if (where.part([&] { (*kinds)[at].read_into(step, *value, where); })) check_shown_matrix(step.ask, where);
     };
     step_form.required("ask", form::value("every step must ask a question", schema), read);
 }

@@ -241,7 +241,7 @@ private:
     void items() {
         constexpr std::size_t fewest = 3;
         if (right_.items.size() < fewest) return;
-        const auto words = [&](int item) { return ask_.items[static_cast<std::size_t>(item)].in_english(); };
+        const auto words = [&](int item) { return ask_.items[item].in_english(); };
         std::vector<Token> seen;
         for (const SeenText& text : texts_)
             if (std::any_of(ask_.items.begin(), ask_.items.end(),

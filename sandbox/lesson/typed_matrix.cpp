@@ -72,7 +72,7 @@ void check_shown_matrix(const Ask& ask, const Where& where) {
 
 glm::dmat4 matrix_of_rows(const std::vector<double>& numbers) {
     glm::dmat4 matrix(0.0);
-    for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = numbers[static_cast<std::size_t>(i)];
+    for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = numbers[i];
     return matrix;
 }
 
@@ -81,7 +81,7 @@ Result<std::vector<glm::dmat4>> products_of(const Ask& ask, const std::vector<in
     std::vector<glm::dmat4> products;
     glm::dmat4 product(1.0);
     for (const int item : items) {
-        const Result<Json> value = evaluate(ask.factors[static_cast<std::size_t>(item)], surroundings);
+        const Result<Json> value = evaluate(ask.factors[item], surroundings);
         const Result<glm::dmat4> factor = value ? matrix_of(*value) : Error{value.error()};
         if (!factor) return Error{factor.error()};
         product *= *factor;

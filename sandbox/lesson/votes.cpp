@@ -83,7 +83,7 @@ void Ballot::change_to(VoteCounts votes) {
 void Ballot::count(int choice, int change) {
     if (choice < 0 || choice >= static_cast<int>(choices())) return;
     VoteCounts counted = votes();
-    int& hands = counted[static_cast<std::size_t>(choice)];
+    int& hands = counted[choice];
     hands = std::clamp(hands + change, 0, most_votes);
     change_to(std::move(counted));
 }

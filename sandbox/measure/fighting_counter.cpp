@@ -43,7 +43,7 @@ void FightingCounter::take(Result<FightingCounts> counts, const Scene& scene) {
     if (picture_ >= 0) {
         if (!counts) return give_up(counts.error());
         if (picture_ >= cure_count()) return take_spread(*report_, *counts);
-        report_->cured[static_cast<std::size_t>(picture_)].counts = *std::move(counts);
+        report_->cured[picture_].counts = *std::move(counts);
         return;
     }
     const std::optional<MinimumGap> gap = report_ ? report_->minimum_gap : std::nullopt;
@@ -85,8 +85,8 @@ void FightingCounter::count_next(Renderer& renderer, const Scene& scene) {
     ++picture_;
     if (!has_more_pictures()) return;
     const bool is_cure = picture_ < cure_count();
-    const Params params = is_cure ? report_->cured[static_cast<std::size_t>(picture_)].cure.params
-                                  : jittered(asked_->params, picture_ - cure_count());
+    const Params params =
+        is_cure ? report_->cured[picture_].cure.params : jittered(asked_->params, picture_ - cure_count());
     const Result<IdImage> drawn =
         objects_by_gl(renderer, params, scene, is_cure ? asked_->size_px : spread_size(asked_->size_px));
     if (!drawn) return give_up(drawn.error());

@@ -68,8 +68,8 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
                      " polygons hide each other: too many to list"};
     std::vector<int> object_of;
     for (const Polygon& polygon : polygons) object_of.push_back(polygon.object);
-    const auto object = [&](int index) { return scene.objects[static_cast<std::size_t>(index)].description.name; };
-    const auto number = [&](int index) { return polygons[static_cast<std::size_t>(index)].source; };
+    const auto object = [&](int index) { return scene.objects[index].description.name; };
+    const auto number = [&](int index) { return polygons[index].source; };
 
     Json of_polygons = order_of(static_cast<int>(polygons.size()), pairs, number);
     of_polygons["object"] = list_of(object_of, object);
@@ -109,8 +109,7 @@ Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::
     if (step == 0 || step > count) return Error{"no such step: the steps are 1 to " + std::to_string(count)};
     const NewellStep& reached = newell->steps[static_cast<std::size_t>(step) - 1];
     const auto extent = [&](int fragment) {
-        return fragment < 0 ? Json()
-                            : extent_of(newell->fragments[static_cast<std::size_t>(fragment)], request.viewpoint);
+        return fragment < 0 ? Json() : extent_of(newell->fragments[fragment], request.viewpoint);
     };
     return Json{{"test", newell_tests[static_cast<std::size_t>(reached.decided_by)]},
                 {"action", newell_actions[static_cast<std::size_t>(reached.action)]},

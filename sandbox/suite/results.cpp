@@ -62,8 +62,7 @@ Json as_json(const EntryResult& entry) {
 
 Json as_json(const RunResult& run) {
     Json counts = Json::object();
-    for (int i = 0; i < outcome_count; ++i)
-        counts[outcome_names[static_cast<std::size_t>(i)]] = run.count(static_cast<Outcome>(i));
+    for (int i = 0; i < outcome_count; ++i) counts[outcome_names[i]] = run.count(static_cast<Outcome>(i));
     Json json{{"report", 1},
               {"suite", run.suite},
               {"argument", run.argument},
@@ -134,8 +133,7 @@ std::string summary_of(const RunResult& run) {
     for (int i = 0; i < outcome_count; ++i) {
         const std::size_t count = run.count(static_cast<Outcome>(i));
         if (count == 0) continue;
-        text += separator + grouped_number(static_cast<std::int64_t>(count)) + " " +
-                outcome_names[static_cast<std::size_t>(i)];
+        text += separator + grouped_number(static_cast<std::int64_t>(count)) + " " + outcome_names[i];
         separator = ", ";
     }
     const auto kept =

@@ -74,7 +74,7 @@ Object<SuiteMeasure> tolerance() {
 }
 
 form::Form<SuiteMeasure> measure_form() {
-    const auto name = [](int index) { return std::string(measure_names[static_cast<std::size_t>(index)]); };
+    const auto name = [](int index) { return std::string(measure_names[index]); };
     const auto what = form::choice(measure_names).then(name);
     return form::either<SuiteMeasure>(what.what + ", or an object with \"what\"",
                                       {what.then([](const std::string& named) { return SuiteMeasure{named}; }),

@@ -79,9 +79,9 @@ std::string pseudo_text(std::string_view english) {
         const bool is_small = !in_place && byte >= 'a' && byte <= 'z';
         const bool is_capital = !in_place && byte >= 'A' && byte <= 'Z';
         if (is_small) {
-            text += small_letters[static_cast<std::size_t>(byte - 'a')];
+            text += small_letters[byte - 'a'];
         } else if (is_capital) {
-            text += capital_letters[static_cast<std::size_t>(byte - 'A')];
+            text += capital_letters[byte - 'A'];
         } else {
             text += byte;
         }

@@ -119,7 +119,7 @@ public:
             const Range range = ranges.back();
             ranges.pop_back();
             const Cut cut = is_canceled(progress) || range.depth >= deepest_bvh ? Cut{} : best_cut(range);
-            BvhNode& node = bvh_.nodes_[static_cast<std::size_t>(range.node)];
+            BvhNode& node = bvh_.nodes_[range.node];
             for (int axis = 0; axis < 3; ++axis) {
                 node.corners[0][axis] = range.box.least[axis];
                 node.corners[1][axis] = range.box.greatest[axis];
@@ -145,7 +145,7 @@ public:
             ranges.push_back(range_of(range.items.first(left_count), left, range.depth + 1));
         }
         bvh_.triangles_.reserve(items_.size());
-        for (const Item& item : items_) bvh_.triangles_.push_back(triangles_[static_cast<std::size_t>(item.triangle)]);
+        for (const Item& item : items_) bvh_.triangles_.push_back(triangles_[item.triangle]);
     }
 
 private:
@@ -189,16 +189,14 @@ private:
         for (const Item& item : range.items) {
             const Point twice_center = item.twice_center();
             for (int axis = 0; axis < 3; ++axis) {
-                Bin& bin =
-                    filled[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bins.of(twice_center, axis))];
+                Bin& bin = filled[axis][bins.of(twice_center, axis)];
                 bin.box.add(item.box);
                 ++bin.count;
             }
         }
         for (int axis = 0; axis < 3; ++axis) {
             if (!bins.has(axis)) continue;
-            cut_bins(std::span(filled[static_cast<std::size_t>(axis)]).first(static_cast<std::size_t>(bins.count)),
-                     axis, best);
+            cut_bins(std::span(filled[axis]).first(static_cast<std::size_t>(bins.count)), axis, best);
         }
         const auto count = static_cast<float>(range.items.size());
         const float surface = range.box.half_surface();

@@ -187,7 +187,7 @@ struct Bvh::Together {
         std::size_t waiting = bvh.nodes_.empty() ? 0 : 1;
         while (waiting > 0) {
             const Waiting next = stack[--waiting];
-            const BvhNode& node = bvh.nodes_[static_cast<std::size_t>(next.node)];
+            const BvhNode& node = bvh.nodes_[next.node];
             counters.box_tests += next.rays;
             Float enter = Float{}, leave = limit;
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -207,7 +207,7 @@ struct Bvh::Together {
                       lanes);
                 continue;
             }
-            const int near = static_cast<int>(near_corner[static_cast<std::size_t>(node.axis())]);
+            const int near = static_cast<int>(near_corner[node.axis()]);
             stack[waiting++] = {node.first + 1 - near, rays};
             stack[waiting++] = {node.first + near, rays};
         }

@@ -66,7 +66,7 @@ std::optional<WrongPair> worst_pair(const IdImage& reference, const IdImage& ima
 
 IdImage with_ids(IdImage image, std::span<const int> new_id) {
     for (int& id : image.ids) {
-        if (id != IdImage::background) id = new_id[static_cast<std::size_t>(id)];
+        if (id != IdImage::background) id = new_id[id];
     }
     return image;
 }

@@ -80,15 +80,15 @@ std::vector<int> way_back(int start, const std::vector<std::vector<int>>& later)
     while (!reached.empty()) {
         const int here = reached.front();
         reached.pop();
-        for (const int next : later[static_cast<std::size_t>(here)]) {
+        for (const int next : later[here]) {
             if (next == start) {
                 std::vector<int> way{here};
-                while (way.back() != start) way.push_back(from[static_cast<std::size_t>(way.back())]);
+                while (way.back() != start) way.push_back(from[way.back()]);
                 std::reverse(way.begin(), way.end());
                 return way;
             }
-            if (from[static_cast<std::size_t>(next)] >= 0) continue;
-            from[static_cast<std::size_t>(next)] = here;
+            if (from[next] >= 0) continue;
+            from[next] = here;
             reached.push(next);
         }
     }
@@ -112,7 +112,7 @@ std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Vi
 std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<const int> group_of) {
     std::vector<HidingPair> groups;
     for (const auto& [before, after] : pairs) {
-        const HidingPair pair{group_of[static_cast<std::size_t>(before)], group_of[static_cast<std::size_t>(after)]};
+        const HidingPair pair{group_of[before], group_of[after]};
         if (pair.before != pair.after) groups.push_back(pair);
     }
     std::sort(groups.begin(), groups.end());
@@ -124,18 +124,18 @@ WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
     std::vector<std::vector<int>> later(static_cast<std::size_t>(count));
     std::vector<int> earlier(static_cast<std::size_t>(count), 0);  // how many items must still come before each one
     for (const auto& [before, after] : pairs) {
-        later[static_cast<std::size_t>(before)].push_back(after);
-        ++earlier[static_cast<std::size_t>(after)];
+        later[before].push_back(after);
+        ++earlier[after];
     }
     std::priority_queue<int, std::vector<int>, std::greater<>> free;
     for (int i = 0; i < count; ++i)
-        if (earlier[static_cast<std::size_t>(i)] == 0) free.push(i);
+        if (earlier[i] == 0) free.push(i);
     WholeOrder found;
     while (!free.empty()) {
         found.order.push_back(free.top());
         free.pop();
-        for (const int next : later[static_cast<std::size_t>(found.order.back())])
-            if (--earlier[static_cast<std::size_t>(next)] == 0) free.push(next);
+        for (const int next : later[found.order.back()])
+            if (--earlier[next] == 0) free.push(next);
     }
     if (static_cast<int>(found.order.size()) == count) return found;
 
@@ -144,7 +144,7 @@ WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
     found.order.clear();
     int tries = 0;
     for (int start = 0; start < count && tries < tried; ++start) {
-        if (earlier[static_cast<std::size_t>(start)] == 0) continue;
+        if (earlier[start] == 0) continue;
         const std::vector<int> cycle = way_back(start, later);
         if (cycle.empty()) continue;
         ++tries;
@@ -155,10 +155,9 @@ WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
 
 int wrong_pairs(std::span<const HidingPair> pairs, std::span<const int> order) {
     std::vector<std::size_t> place(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) place[static_cast<std::size_t>(order[i])] = i;
-    return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const HidingPair& pair) {
-        return place[static_cast<std::size_t>(pair.before)] > place[static_cast<std::size_t>(pair.after)];
-    }));
+    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+    return static_cast<int>(std::count_if(
+        pairs.begin(), pairs.end(), [&](const HidingPair& pair) { return place[pair.before] > place[pair.after]; }));
 }
 
 }  // namespace viewing

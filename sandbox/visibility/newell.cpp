@@ -116,7 +116,7 @@ private:
         const Conflict conflict = first_conflict(p);
         if (!result_.problem.empty()) return;
         if (conflict.q < 0) return draw(p, {.p = p, .action = NewellAction::draws});
-        if (conflict.swap_test != NewellTest::none && !is_in_chain_[static_cast<std::size_t>(conflict.q)]) {
+        if (conflict.swap_test != NewellTest::none && !is_in_chain_[conflict.q]) {
             ++result_.counters.swaps;
             record({.p = p, .q = conflict.q, .decided_by = conflict.swap_test, .action = NewellAction::swaps});
             return join_chain(conflict.q);
@@ -128,15 +128,15 @@ private:
 
     void join_chain(int fragment) {
         chain_.push_back(fragment);
-        is_in_chain_[static_cast<std::size_t>(fragment)] = true;
+        is_in_chain_[fragment] = true;
     }
 
     /// Removes a fragment from the list, and from the chain together with everything after it.
     void remove(int fragment) {
         const auto later = [&](int a, int b) { return is_drawn_later(a, b); };
         list_.erase(std::lower_bound(list_.begin(), list_.end(), fragment, later));
-        while (is_in_chain_[static_cast<std::size_t>(fragment)]) {
-            is_in_chain_[static_cast<std::size_t>(chain_.back())] = false;
+        while (is_in_chain_[fragment]) {
+            is_in_chain_[chain_.back()] = false;
             chain_.pop_back();
         }
     }
@@ -149,7 +149,7 @@ private:
 
     /// Returns the first Q that P may hide, if any, and the test that lets Q be drawn first.
     Conflict first_conflict(int p) {
-        double& let_go_beyond = let_go_beyond_[static_cast<std::size_t>(p)];
+        double& let_go_beyond = let_go_beyond_[p];
         const auto is_nearer = [&](double distance, int q) { return distance < projected_[q].farthest; };
         const auto begin = std::upper_bound(list_.begin(), list_.end(), let_go_beyond, is_nearer);
         for (auto place = static_cast<std::size_t>(begin - list_.begin()); place-- > 0;) {
@@ -257,7 +257,7 @@ private:
         Projected projected = project(polygon, viewpoint_, clip_from_world_);
         projected.farthest = std::min(projected.farthest, projected_[whole].farthest);  // guards against rounding
         add_fragment(std::move(polygon), std::move(projected));
-        let_go_beyond_.back() = let_go_beyond_[static_cast<std::size_t>(whole)];
+        let_go_beyond_.back() = let_go_beyond_[whole];
         const auto place = std::upper_bound(list_.begin(), list_.end() - 1, list_.back(),
                                             [&](int a, int b) { return is_drawn_later(a, b); });
         std::rotate(place, list_.end() - 1, list_.end());

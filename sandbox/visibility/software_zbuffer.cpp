@@ -129,7 +129,7 @@ private:
         const double slope = (bottom.x - top.x) / (bottom.y - top.y);
         for (int y = begin; y < end; ++y) {
             const double x = top.x + (y + 0.5 - top.y) * slope;
-            Span& span = spans_[static_cast<std::size_t>(y)];
+            Span& span = spans_[y];
             span.left = std::min(span.left, x);
             span.right = std::max(span.right, x);
         }
@@ -148,7 +148,7 @@ private:
     template <PaintRule rule>
     void fill() {
         for (int y = row_begin_; y < row_end_; ++y) {
-            const Span span = std::exchange(spans_[static_cast<std::size_t>(y)], empty_span);
+            const Span span = std::exchange(spans_[y], empty_span);
             const int begin = first_pixel(span.left, options_.width);
             int end = first_pixel(span.right, options_.width);
             if (begin >= end) continue;
@@ -237,7 +237,7 @@ RasterResult rasterize(std::span<const Polygon> polygons, std::span<const int> o
             if (is_canceled(progress)) break;
             report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
         }
-        rasterizer.draw(polygons[static_cast<std::size_t>(order[i])], order[i], static_cast<int>(i));
+        rasterizer.draw(polygons[order[i]], order[i], static_cast<int>(i));
         result.tested_after.push_back(result.counters.pixels_tested);
     }
     result.counters.pixels_covered = std::count_if(result.image.ids.begin(), result.image.ids.end(),

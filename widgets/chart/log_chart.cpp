@@ -112,7 +112,7 @@ int DrawLogChart(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const Chart
     for (const inner::EndLabel& label : labels)
         inner::DrawEndLabel(draw, label, curves[label.curve].name, color_of(label.curve));
     if (pointed.curve >= 0) {
-        const ChartCurve& curve = curves[static_cast<std::size_t>(pointed.curve)];
+        const ChartCurve& curve = curves[pointed.curve];
         draw->AddCircle(pointed.at, Px(7), Shown(palette.text), 0, Px(1.5F) * palette.stroke);
         DrawReadout(draw, {min, max}, curve, pointed, style);
     }

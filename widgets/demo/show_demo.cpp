@@ -174,7 +174,7 @@ void ShowShadowMatrix(const char* label, DemoValues& v, float width = 0.0F) {
     std::array<MatrixCell, 16> cells;
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
-            MatrixCell& cell = cells[static_cast<std::size_t>(4 * row + column)];
+            MatrixCell& cell = cells[4 * row + column];
             cell.symbol = symbols[4 * row + column];
             cell.links = light_link(row) | plane_link(column);
             if (row == column) cell.links |= all_light | all_plane;

@@ -25,12 +25,12 @@ struct DemoTree {
         for (int i = 0; i < node_count; ++i) labels.push_back(std::to_string(random() % 100));
         for (int i = 1; i < node_count; ++i) Insert(i, random);
         for (int i = 0; i < node_count; ++i) {
-            At(i).label = labels[static_cast<std::size_t>(i)];
+            At(i).label = labels[i];
             At(i).eye_side = random() % 2 == 0 ? 1 : -1;
         }
         Walk(0);
     }
-    TreeNode& At(int node) { return nodes[static_cast<std::size_t>(node)]; }
+    TreeNode& At(int node) { return nodes[node]; }
 
 private:
     void Insert(int node, std::mt19937& random) {
@@ -68,7 +68,7 @@ void ShowTreeAndSteps(const Palette& palette) {
         tree.At(i).mark = -1;
         tree.At(i).color = i % 3 == 0 ? palette.plane : palette.mirror;
     }
-    for (int i = 0; i < visited; ++i) tree.At(tree.walk[static_cast<std::size_t>(i)]).mark = i + 1;
+    for (int i = 0; i < visited; ++i) tree.At(tree.walk[i]).mark = i + 1;
     TreeDiagram("tree", tree.nodes, 1, state, selected,
                 {.shown_count = std::min(reached, node_count),
                  .current = visited > 0 && step >= 0 ? tree.walk[static_cast<std::size_t>(visited) - 1] : -1,

@@ -20,7 +20,7 @@ glm::dvec2 ViewSize(const TreeCamera& camera) {
 std::unordered_set<int> ParentsAt(const TreeLayout& layout, int level) {
     std::unordered_set<int> parents;
     for (const int node : layout.Level(level)) {
-        if (layout.subtree_size[static_cast<std::size_t>(node)] > 1) parents.insert(node);
+        if (layout.subtree_size[node] > 1) parents.insert(node);
     }
     return parents;
 }

@@ -19,7 +19,7 @@ bool Contains(const TreeDiagramState& state, int node) {
     return node >= 0 && node < static_cast<int>(state.layout.level.size());
 }
 int LevelOf(const TreeDiagramState& state, int node) {
-    return Contains(state, node) ? state.layout.level[static_cast<std::size_t>(node)] : -1;
+    return Contains(state, node) ? state.layout.level[node] : -1;
 }
 
 /// Computes a new layout if the links or folds changed. The pressed node keeps its position.
@@ -30,13 +30,12 @@ void Update(std::span<const TreeNode> nodes, std::uint64_t revision, TreeDiagram
     if (is_new) state.fold_next = state.collapsed.empty();
     if (!is_new && state.collapsed == state.laid_out_collapsed) return;
     const int anchor = !is_new && LevelOf(state, state.pressed) >= 0 ? state.pressed : -1;
-    const double x_before = anchor >= 0 ? state.layout.x[static_cast<std::size_t>(anchor)] : 0.0;
+    const double x_before = anchor >= 0 ? state.layout.x[anchor] : 0.0;
     state.layout = LayOutTree(nodes, state.collapsed);
     state.laid_out_collapsed = state.collapsed;
     state.laid_out_revision = revision;
     if (LevelOf(state, anchor) >= 0) {
-        state.pan.x += (x_before - state.layout.x[static_cast<std::size_t>(anchor)]) * TreeCamera::pitch *
-                       state.stretch * state.zoom;
+        state.pan.x += (x_before - state.layout.x[anchor]) * TreeCamera::pitch * state.stretch * state.zoom;
     }
     if (!is_new) return;
     state.is_laid_out = true;
@@ -49,7 +48,7 @@ void Unfold(std::span<const TreeNode> nodes, int node, TreeDiagramState& state) 
     constexpr int at_once = 63, levels = 4;
     const auto& sizes = state.layout.subtree_size;
     state.collapsed.erase(node);
-    if (sizes[static_cast<std::size_t>(node)] <= at_once) return;
+    if (sizes[node] <= at_once) return;
     std::vector<int> row{node};
     for (int level = 0; level < levels; ++level) {
         std::vector<int> below;
@@ -62,7 +61,7 @@ void Unfold(std::span<const TreeNode> nodes, int node, TreeDiagramState& state) 
         row = std::move(below);
     }
     for (const int folded : row) {
-        if (sizes[static_cast<std::size_t>(folded)] > 1) state.collapsed.insert(folded);
+        if (sizes[folded] > 1) state.collapsed.insert(folded);
     }
 }
 
@@ -72,7 +71,7 @@ void UnfoldTo(std::span<const TreeNode> nodes, int node, TreeDiagramState& state
     std::vector<int> ancestors;
     // A parent comes before its children, so this loop ends.
     for (int child = node; child > 0;) {
-        const int parent = nodes[static_cast<std::size_t>(child)].parent;
+        const int parent = nodes[child].parent;
         if (parent < 0 || parent >= child) return;
         ancestors.push_back(parent);
         child = parent;
@@ -94,8 +93,7 @@ PointedNode NodeAt(const TreeCamera& camera, std::span<const TreeNode> nodes, co
     if (row < 0.0 || row >= layout.LevelCount()) return {};
     const std::span<const int> level = layout.Level(static_cast<int>(row));
     const double x = camera.LayoutX(pointer.x);
-    const auto right = std::partition_point(level.begin(), level.end(),
-                                            [&](int node) { return layout.x[static_cast<std::size_t>(node)] < x; });
+    const auto right = std::partition_point(level.begin(), level.end(), [&](int node) { return layout.x[node] < x; });
     const ImVec2 half = camera.HalfBox();
     const float least = Px(5);
     for (auto near = right == level.begin() ? right : right - 1; near != level.end() && near <= right; ++near) {
@@ -178,16 +176,14 @@ void DrawFitButton(ImDrawList* draw, ImVec2 min, float side, bool hovered) {
 
 void NodeTooltip(const TreeCamera& camera, std::span<const TreeNode> nodes, const TreeDiagramState& state) {
     if (LevelOf(state, state.hovered) < 0) return;
-    const TreeNode& node = nodes[static_cast<std::size_t>(state.hovered)];
+    const TreeNode& node = nodes[state.hovered];
     const ImVec2 center = camera.At(state.layout, state.hovered), half = camera.HalfBox();
     if (!inner::TooltipDue(ImGui::IsItemHovered(), ImVec2(center.x - half.x, center.y - half.y),
                            ImVec2(center.x + half.x, center.y + half.y))) {
         return;
     }
     const auto size_of = [&](int child) {
-        return child > state.hovered && Contains(state, child)
-                   ? state.layout.subtree_size[static_cast<std::size_t>(child)]
-                   : 0;
+        return child > state.hovered && Contains(state, child) ? state.layout.subtree_size[child] : 0;
     };
     inner::BeginTooltipWindow();
     if (!node.label.empty()) {

@@ -71,9 +71,9 @@ private:
                                                                  : Detail::dots;
     }
 
-    const TreeNode& At(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
-    double X(int node) const { return state_.layout.x[static_cast<std::size_t>(node)]; }
-    int LevelOf(int node) const { return state_.layout.level[static_cast<std::size_t>(node)]; }
+    const TreeNode& At(int node) const { return nodes_[node]; }
+    double X(int node) const { return state_.layout.x[node]; }
+    int LevelOf(int node) const { return state_.layout.level[node]; }
     bool IsShown(int node) const {
         return node >= 0 && node < std::min(static_cast<int>(nodes_.size()), style_.shown_count) && LevelOf(node) >= 0;
     }
@@ -241,7 +241,7 @@ private:
         DrawTriangle(draw_, triangle, radius * 0.5F, !is_folded, Shown(palette_.text));
         if (!is_folded) return;
         const Face face = FaceOf(CurrentContext().fonts.small_number);
-        const std::string hidden = std::to_string(state_.layout.subtree_size[static_cast<std::size_t>(node)] - 1);
+        const std::string hidden = std::to_string(state_.layout.subtree_size[node] - 1);
         face.Draw(draw_,
                   ImVec2(std::floor(triangle.x - 0.5F * face.Measure(hidden).x), std::floor(triangle.y + radius)),
                   Shown(palette_.quiet), hidden);

@@ -10,10 +10,9 @@ namespace widgets {
 namespace inner {
 
 TreeChildren ChildrenOf(std::span<const TreeNode> nodes, int parent) {
-    const TreeNode& node = nodes[static_cast<std::size_t>(parent)];
+    const TreeNode& node = nodes[parent];
     const auto checked = [&](int child) {
-        const bool is_child = child > parent && child < static_cast<int>(nodes.size()) &&
-                              nodes[static_cast<std::size_t>(child)].parent == parent;
+        const bool is_child = child > parent && child < static_cast<int>(nodes.size()) && nodes[child].parent == parent;
         return is_child ? child : -1;
     };
     return {checked(node.front), node.back == node.front ? -1 : checked(node.back)};
@@ -43,7 +42,7 @@ public:
             for (const Side side : {left, right}) node.ends[side] = Moved(At(only).ends[side], At(only).offset);
         }
     }
-    double OffsetFromParent(int node) const { return nodes_[static_cast<std::size_t>(node)].offset; }
+    double OffsetFromParent(int node) const { return nodes_[node].offset; }
 
 private:
     enum Side { left, right };
@@ -59,7 +58,7 @@ private:
         Reached ends[2];      ///< the outermost nodes of the subtree's deepest level
     };
 
-    Node& At(int node) { return nodes_[static_cast<std::size_t>(node)]; }
+    Node& At(int node) { return nodes_[node]; }
     static Reached Moved(Reached place, double dx) { return {place.node, place.dx + dx}; }
 
     /// Returns the next node down a subtree's contour.
@@ -100,7 +99,7 @@ std::vector<int> SubtreeSizes(std::span<const TreeNode> nodes) {
     for (int i = static_cast<int>(nodes.size()) - 1; i >= 0; --i) {
         const Children children = ChildrenOf(nodes, i);
         for (const int child : {children.front, children.back}) {
-            if (child >= 0) sizes[static_cast<std::size_t>(i)] += sizes[static_cast<std::size_t>(child)];
+            if (child >= 0) sizes[i] += sizes[child];
         }
     }
     return sizes;
@@ -109,7 +108,7 @@ std::vector<int> SubtreeSizes(std::span<const TreeNode> nodes) {
 }  // namespace
 
 std::span<const int> TreeLayout::Level(int index) const {
-    const auto begin = static_cast<std::size_t>(level_begin[static_cast<std::size_t>(index)]);
+    const auto begin = static_cast<std::size_t>(level_begin[index]);
     const auto end = static_cast<std::size_t>(level_begin[static_cast<std::size_t>(index) + 1]);
     return std::span(order).subspan(begin, end - begin);
 }
@@ -127,7 +126,7 @@ TreeLayout LayOutTree(std::span<const TreeNode> nodes, const std::unordered_set<
         return collapsed.contains(node) ? Children{} : ChildrenOf(nodes, node);
     };
     const auto at = [](auto& values, int node) -> auto& {
-        return values[static_cast<std::size_t>(node)];
+        return values[node];
     };
 
     layout.order.push_back(0);

@@ -87,7 +87,7 @@ void ImGuiWindow::show_pointer() {
     const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
     if (wanted == shown_ || wanted == ImGuiMouseCursor_None) return;
     shown_ = wanted;
-    GLFWcursor*& shape = shapes_[static_cast<std::size_t>(wanted)];
+    GLFWcursor*& shape = shapes_[wanted];
     if (const int standard = shape_of(wanted); !shape && standard != 0) shape = glfwCreateStandardCursor(standard);
     glfwSetCursor(window_, shape);
 }

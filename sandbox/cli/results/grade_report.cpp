@@ -98,8 +98,7 @@ Histogram histogram_of(const std::vector<const StudentGrade*>& grades) {
     Histogram histogram;
     histogram.width = of / most_bars + 1;
     histogram.bars.assign(static_cast<std::size_t>(of / histogram.width + 1), 0);
-    for (const StudentGrade* const grade : grades)
-        ++histogram.bars[static_cast<std::size_t>(grade->points() / histogram.width)];
+    for (const StudentGrade* const grade : grades) ++histogram.bars[grade->points() / histogram.width];
     return histogram;
 }
 

@@ -90,8 +90,7 @@ bool is_seen(const FlatPair& pair, const Derived& derived, const Scene& scene) {
     const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
     std::vector<glm::dvec4> forms = {clip[3] + clip[2]};
     for (const glm::dvec4& side : forms_of_sides(derived.clip_from_world)) forms.push_back(side);
-    return may_reach(scene.objects[static_cast<std::size_t>(pair.first)], forms) &&
-           may_reach(scene.objects[static_cast<std::size_t>(pair.second)], forms);
+    return may_reach(scene.objects[pair.first], forms) && may_reach(scene.objects[pair.second], forms);
 }
 
 /// Returns the pairs in view that fight. Decals that are moved by an offset count as fighting only if the offset is
@@ -147,9 +146,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
         *std::min_element(fighting.begin(), fighting.end(), [](const FightingPair& a, const FightingPair& b) {
             return a.pair->gap() * b.needed < b.pair->gap() * a.needed;
         });
-    const auto name = [&](int object) {
-        return object_message(scene.objects[static_cast<std::size_t>(object)].description.name);
-    };
+    const auto name = [&](int object) { return object_message(scene.objects[object].description.name); };
     const Message first = name(worst.pair->first), second = name(worst.pair->second);
     const bool is_decal = worst.pair->has_one_decal();
     Params finer = params;

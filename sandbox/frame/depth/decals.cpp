@@ -20,12 +20,12 @@ bool has_decals(const Scene& scene) {
 std::vector<int> decal_marks(const Scene& scene) {
     std::vector<int> marks(scene.objects.size(), 0);
     if (!has_decals(scene)) return marks;
-    const auto is_decal = [&](int object) { return scene.objects[static_cast<std::size_t>(object)].description.decal; };
+    const auto is_decal = [&](int object) { return scene.objects[object].description.decal; };
     int bases = 0;
     for (const FlatPair& pair : near_coplanar_pairs(scene)) {
         if (is_decal(pair.first) == is_decal(pair.second)) continue;
-        int& decal = marks[static_cast<std::size_t>(is_decal(pair.first) ? pair.first : pair.second)];
-        int& base = marks[static_cast<std::size_t>(is_decal(pair.first) ? pair.second : pair.first)];
+        int& decal = marks[is_decal(pair.first) ? pair.first : pair.second];
+        int& base = marks[is_decal(pair.first) ? pair.second : pair.first];
         if (decal != 0) continue;
         if (base == 0) base = first_mark + bases++ % mark_count;
         decal = base;

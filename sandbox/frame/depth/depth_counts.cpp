@@ -117,7 +117,7 @@ public:
             const std::int32_t written = place < last_bin ? place : last_bin;
             found[i] = block[i] == cleared ? unwritten : written;
         }
-        for (std::size_t i = 0; i < block.size(); ++i) ++counts_[static_cast<std::size_t>(found[i])][i % turns];
+        for (std::size_t i = 0; i < block.size(); ++i) ++counts_[found[i]][i % turns];
     }
 
     DepthCounts sum() const {

@@ -37,8 +37,7 @@ std::vector<FlatObject> flat_objects(const Scene& scene) {
         object_of_instance.push_back(static_cast<int>(index));
     }
     std::vector<FlatObject> found(instances.size());
-    for (const Polygon& polygon : polygons_of(instances).polygons)
-        found[static_cast<std::size_t>(polygon.object)].triangles.push_back(polygon);
+    for (const Polygon& polygon : polygons_of(instances).polygons) found[polygon.object].triangles.push_back(polygon);
     for (std::size_t index = 0; index < found.size(); ++index) {
         FlatObject& flat = found[index];
         flat.object = object_of_instance[index];
@@ -107,7 +106,7 @@ std::optional<FlatPair> pair_of(const Scene& scene, const FlatObject& first, con
     const glm::dvec4 plane = same_way * second.triangles.front().plane;
     const double offset = -glm::dot(plane, glm::dvec4(center, 1.0));
     if (std::abs(offset) > largest_gap_share * size) return std::nullopt;
-    const auto is_decal = [&](int object) { return scene.objects[static_cast<std::size_t>(object)].description.decal; };
+    const auto is_decal = [&](int object) { return scene.objects[object].description.decal; };
     return FlatPair{.first = first.object,
                     .second = second.object,
                     .offset = std::abs(offset) > coplanar_share * size ? offset : 0.0,

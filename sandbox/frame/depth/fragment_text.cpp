@@ -139,7 +139,7 @@ Message cell_sentence(const std::optional<Fragment>& incoming, const BufferCell&
 
 int seen_fragment(const std::vector<Fragment>& fragments) {
     for (int i = static_cast<int>(fragments.size()); i-- > 0;)
-        if (fragments[static_cast<std::size_t>(i)].drawn) return i;
+        if (fragments[i].drawn) return i;
     return -1;
 }
 

@@ -150,7 +150,7 @@ std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, gl
     if (!picture || picture->size_px == size_px) return std::nullopt;
     const std::optional<glm::ivec2> own = pixel_of_picture(picture, pixel, size_px);
     if (!own) return -1;
-    const SurfacePixel& seen = picture->pixels[static_cast<std::size_t>(own->y * picture->size_px.x + own->x)];
+    const SurfacePixel& seen = picture->pixels[own->y * picture->size_px.x + own->x];
     return static_cast<int>(seen.color.w) - 1;
 }
 
@@ -401,8 +401,7 @@ std::vector<Fragment> FragmentFinder::replayed(const FramePlan& plan, glm::ivec2
 
 std::string FragmentFinder::name_of(int object) const {
     if (object == no_object) return "";
-    return object < 0 ? plane_name(static_cast<std::size_t>(-1 - object))
-                      : scene_.objects[static_cast<std::size_t>(object)].description.name;
+    return object < 0 ? plane_name(static_cast<std::size_t>(-1 - object)) : scene_.objects[object].description.name;
 }
 
 std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls) {

@@ -44,7 +44,7 @@ HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scen
     for (const FlatPair& pair : near_coplanar_pairs(scene)) {
         const glm::dvec3 normal_view(derived.view_from_world * glm::dvec4(pair.normal_world, 0.0));
         for (const int object : {pair.first, pair.second}) {
-            std::optional<FlatGap>& found = made.gap_of_object[static_cast<std::size_t>(object)];
+            std::optional<FlatGap>& found = made.gap_of_object[object];
             if (!found || pair.gap() < found->gap) found = FlatGap{pair.gap(), normal_view};
         }
     }

@@ -113,7 +113,7 @@ Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
                      std::to_string(numbers.size())};
     PastedMatrix pasted;
     for (int i = 0; i < 16; ++i) {
-        const double number = numbers[static_cast<std::size_t>(i)];
+        const double number = numbers[i];
         if (!std::isfinite(number)) return Error{"every entry must be a finite number"};
         (syntax.by_columns ? pasted.matrix[i / 4][i % 4] : pasted.matrix[i % 4][i / 4]) = number;
     }

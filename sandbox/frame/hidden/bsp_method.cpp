@@ -32,7 +32,7 @@ void cull(HiddenResult& result) {
         facing_by_plane(*result.fragments, result.request.viewpoint, winding_for(result.request));
     const CullFace faces = result.request.cull.face;
     result.counters.culled = static_cast<std::int64_t>(std::erase_if(result.order, [&](int fragment) {
-        const Facing side = facing[static_cast<std::size_t>(fragment)];
+        const Facing side = facing[fragment];
         return faces == CullFace::front_and_back || side == (faces == CullFace::front ? Facing::towards : Facing::away);
     }));
 }
@@ -44,7 +44,7 @@ void find_steps(HiddenResult& result) {
     std::size_t passed = 0;
     for (const BspVisit& visit : result.walk->visits) {
         ++result.step_count;
-        const BspNode& node = result.tree->nodes[static_cast<std::size_t>(visit.node)];
+        const BspNode& node = result.tree->nodes[visit.node];
         const std::size_t end = passed + static_cast<std::size_t>(node.fragment_count);
         for (; passed < end; ++passed)
             if (steps.size() < result.order.size() && result.order[steps.size()] == result.walk->fragments[passed])

@@ -23,9 +23,8 @@ void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result, c
     for (int place = 0; place < result.drawn; ++place) {
         drawing.is_cut = is_cut_short(static_cast<std::size_t>(place), progress);
         if (drawing.is_cut) return;
-        const Polygon& polygon =
-            (*result.fragments)[static_cast<std::size_t>(result.order[static_cast<std::size_t>(place)])];
-        const ObjectDescription& object = surface.scene.objects[static_cast<std::size_t>(polygon.object)].description;
+        const Polygon& polygon = (*result.fragments)[result.order[static_cast<std::size_t>(place)]];
+        const ObjectDescription& object = surface.scene.objects[polygon.object].description;
         if (drawing.runs.empty() || drawing.runs.back().is_decal != object.decal)
             drawing.runs.push_back({static_cast<int>(vertices.size()), 0, object.decal});
         drawing.runs.back().vertex_count += static_cast<int>(3 * (polygon.vertices.size() - 2));
@@ -50,8 +49,7 @@ public:
           eye_(result.request.viewpoint.eye_world()),
           mirrors_(glm::determinant(glm::dmat3(result.request.viewpoint.view_from_world)) < 0.0) {
         faces_.resize(static_cast<std::size_t>(result.surface->source_count()));
-        for (const Polygon& polygon : result.surface->polygons)
-            faces_[static_cast<std::size_t>(polygon.source)] = glm::dvec3(polygon.plane);
+        for (const Polygon& polygon : result.surface->polygons) faces_[polygon.source] = glm::dvec3(polygon.plane);
     }
 
     SurfacePixel at(int x, int y) const {
@@ -66,11 +64,11 @@ public:
 
         const SceneSurface& surface = *result_.surface;
         glm::dvec3 normal = glm::normalize(normal_at(surface, source, point));
-        const glm::dvec3 face_normal = surface.curved_of(source) ? normal : faces_[static_cast<std::size_t>(source)];
+        const glm::dvec3 face_normal = surface.curved_of(source) ? normal : faces_[source];
         const bool seen_from_front = glm::dot(face_normal, glm::dvec3(eye_) - eye_.w * point) > 0.0;
         if ((glm::dot(normal, face_normal) > 0.0) != seen_from_front) normal = -normal;
         const int object = surface.object_of(source);
-        const Color& color = surface.scene.objects[static_cast<std::size_t>(object)].description.color;
+        const Color& color = surface.scene.objects[object].description.color;
         return {glm::vec4(point - origin_world_, depth), glm::vec4(normal, is_front(seen_from_front) ? 1.0F : 0.0F),
                 glm::vec4(linear_from_srgb(color), static_cast<float>(object + 1))};
     }

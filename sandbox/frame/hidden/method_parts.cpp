@@ -72,7 +72,7 @@ void paint_in_order(HiddenData&, HiddenResult& result, WorkProgress* progress) {
     if (!result.request.visibility.pixel) return;
     const RasterResult whole = painted(result, static_cast<int>(result.order.size()), rule, progress);
     for (const RasterTouch& touch : whole.touches)
-        result.touches.push_back({result.order_steps[static_cast<std::size_t>(touch.place)], touch.fragment});
+        result.touches.push_back({result.order_steps[touch.place], touch.fragment});
 }
 
 }  // namespace viewing

@@ -30,7 +30,7 @@ void find_newell(HiddenData& data, HiddenResult& result, WorkProgress* progress)
     result.step_count = static_cast<int>(newell->steps.size());
     std::vector<int>& ends = result.group_ends;
     for (int step = 0; step < result.step_count; ++step)
-        if (draws(newell->steps[static_cast<std::size_t>(step)])) ends.push_back(step + 1);
+        if (draws(newell->steps[step])) ends.push_back(step + 1);
     result.order_steps = ends;
     result.order_steps.resize(result.order.size(), result.step_count);  // the recorded steps may not reach all polygons
     // If the record of steps is full, it may end in the middle of a polygon.

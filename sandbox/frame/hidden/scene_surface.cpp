@@ -68,7 +68,7 @@ int SceneSurface::object_of(int source) const {
 
 const CurvedShape* SceneSurface::curved_of(int source) const {
     const int index = source - first_curved_source;
-    return index >= 0 && index < static_cast<int>(curved.size()) ? &curved[static_cast<std::size_t>(index)] : nullptr;
+    return index >= 0 && index < static_cast<int>(curved.size()) ? &curved[index] : nullptr;
 }
 
 std::vector<int> SceneSurface::object_of_source() const {
@@ -81,8 +81,7 @@ std::vector<int> SceneSurface::object_of_source() const {
 glm::dvec3 normal_at(const SceneSurface& surface, int source, const glm::dvec3& point_world) {
     if (const CurvedShape* shape = surface.curved_of(source)) {
         const glm::dvec3 point_model(glm::inverse(shape->world_from_model) * glm::dvec4(point_world, 1.0));
-        return surface.world_from_normal[static_cast<std::size_t>(shape->object)] *
-               normal_of_curved(shape->kind, point_model);
+        return surface.world_from_normal[shape->object] * normal_of_curved(shape->kind, point_model);
     }
     const auto object = static_cast<std::size_t>(surface.object_of(source));
     const SceneObject& placed = surface.scene.objects[object];

@@ -26,7 +26,7 @@ std::optional<StepPlace> place_of_step(const HiddenResult& result, int step) {
 }
 
 int end_of_group(const HiddenResult& result, int group) {
-    return result.group_ends[static_cast<std::size_t>(group - 1)];
+    return result.group_ends[group - 1];
 }
 
 std::optional<int> next_group(const HiddenResult& result, int step) {

@@ -23,8 +23,7 @@ CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light) {
     for (int index = 0; index < 16; ++index) {
         const int row = index % 4, column = index / 4;
         const std::string product = element("lightpos", row) + " * " + element("plane", column);
-        lines[static_cast<std::size_t>(index)] = {index, (row == column ? "dot - " : "0.f - ") + product, row, column,
-                                                  shadow[column][row]};
+        lines[index] = {index, (row == column ? "dot - " : "0.f - ") + product, row, column, shadow[column][row]};
     }
     return lines;
 }
@@ -43,7 +42,7 @@ CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2
         const int mirror_row = printed_by_rows ? column : row, mirror_column = printed_by_rows ? row : column;
         std::string expression = mirror_expression(mirror_row, mirror_column);
         if (plus_2ab && mirror_row == 1 && mirror_column == 0) expression.erase(0, 2);  // drop the minus
-        lines[static_cast<std::size_t>(index)] = {index, expression, row, column, mirror[mirror_column][mirror_row]};
+        lines[index] = {index, expression, row, column, mirror[mirror_column][mirror_row]};
     }
     return lines;
 }

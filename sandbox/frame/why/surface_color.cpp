@@ -72,14 +72,14 @@ ShadedPoint point_of(const FramePlan& plan, const Pass& pass, const Scene& scene
         const HiddenDrawing& picture = *plan.drawing_of(pass);
         const auto own = raster_pixel(glm::dvec2(pixel) + 0.5, size_px, picture.size_px, picture.share);
         if (!own) return {};
-        const SurfacePixel& seen = picture.pixels[static_cast<std::size_t>(own->y * picture.size_px.x + own->x)];
+        const SurfacePixel& seen = picture.pixels[own->y * picture.size_px.x + own->x];
         const glm::dmat3 turn(pass.world_from_scene);
         const glm::dvec3 point = picture.origin_world + glm::dvec3(seen.position_relative);
         return {placed(pass.world_from_scene, point),
                 normal_matrix(turn) * glm::dvec3(seen.normal_world) * (glm::determinant(turn) < 0.0 ? -1.0 : 1.0),
                 glm::dvec3(0.0), glm::dvec3(seen.color)};
     }
-    const SceneObject& object = scene.objects[static_cast<std::size_t>(fragment.object_index)];
+    const SceneObject& object = scene.objects[fragment.object_index];
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t vertex = object.mesh->indices[first + i];
         positions[i] = object.mesh->positions[vertex];

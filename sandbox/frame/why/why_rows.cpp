@@ -132,7 +132,7 @@ Message surface_name(const WhyQuestion& question, int object_index) {
     if (object_index == no_object) return message("the whole picture");
     if (object_index < 0)
         return planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size());
-    return object_message(question.finder.scene().objects[static_cast<std::size_t>(object_index)].description.name);
+    return object_message(question.finder.scene().objects[object_index].description.name);
 }
 
 Message test_phrase(const WhyQuestion& question, const Fragment& fragment) {

@@ -187,7 +187,7 @@ Result<EglContext> EglContext::make(const std::string& wish) {
             return Error{"--device " + wish + ": there is no such EGL device; use auto or 0 … " +
                          std::to_string(count - 1) + " (see viewing-sandbox doctor)"};
         const auto at = static_cast<int>(index);
-        if (auto made = on_device(devices[static_cast<std::size_t>(at)], at, &refused)) return std::move(*made);
+        if (auto made = on_device(devices[at], at, &refused)) return std::move(*made);
         return Error{"--device " + wish + ": " + refused};
     }
     if (wish == "auto")

@@ -67,7 +67,7 @@ glm::dvec3 read_vec3(const Json& value, const Where& where, const Range& range, 
     }
     glm::dvec3 vector;
     for (int i = 0; i < 3; ++i) {
-        vector[i] = read_number(value[static_cast<std::size_t>(i)], where.at(static_cast<std::size_t>(i)), range);
+        vector[i] = read_number(value[i], where.at(static_cast<std::size_t>(i)), range);
     }
     return vector;
 }

@@ -24,7 +24,7 @@ struct Kind<EnumRef> : AnyKind {
         return {all.begin(), all.end()};
     }
     static void assign(const EnumRef& to, int index) { to.set(index); }
-    static Json write(const EnumRef& value) { return value.names[static_cast<std::size_t>(value.index())]; }
+    static Json write(const EnumRef& value) { return value.names[value.index()]; }
 };
 
 template <>

@@ -11,7 +11,7 @@ Form<Vector> vector(const std::vector<Form<Entry>>& entries, const std::string& 
     constexpr auto length = static_cast<std::size_t>(Vector::length());
     return form::list(entries, what, {length, length, nullptr}).strict().then([](const std::vector<Entry>& values) {
         Vector vector;
-        for (glm::length_t i = 0; i < Vector::length(); ++i) vector[i] = values[static_cast<std::size_t>(i)];
+        for (glm::length_t i = 0; i < Vector::length(); ++i) vector[i] = values[i];
         return vector;
     });
 }

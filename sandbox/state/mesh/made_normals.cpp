@@ -81,7 +81,7 @@ void NormalMaker::list_faces() {
             const std::uint32_t end = begin + corners_each;
             polygon.clear();
             for (std::uint32_t corner = begin; corner < end; ++corner) {
-                polygon.push_back(content_.positions[static_cast<std::size_t>(content_.corners[corner].position)]);
+                polygon.push_back(content_.positions[content_.corners[corner].position]);
                 face_of_[corner] = static_cast<std::uint32_t>(faces_.size());
             }
             faces_.push_back({begin, end, smoothing, area_normal(polygon)});
@@ -91,11 +91,11 @@ void NormalMaker::list_faces() {
 
 void NormalMaker::list_corners() {
     ends_.assign(content_.positions.size(), 0);
-    for (const ObjCorner& corner : content_.corners) ++ends_[static_cast<std::size_t>(corner.position)];
+    for (const ObjCorner& corner : content_.corners) ++ends_[corner.position];
     std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), 0U);
     corners_.resize(content_.corners.size());
     for (std::uint32_t corner = 0; corner < content_.corners.size(); ++corner)
-        corners_[ends_[static_cast<std::size_t>(content_.corners[corner].position)]++] = corner;
+        corners_[ends_[content_.corners[corner].position]++] = corner;
 }
 
 bool NormalMaker::is_smooth(const Face& a, const Face& b) const {

@@ -21,8 +21,7 @@ constexpr const char* was_canceled = "loading was canceled";
 
 Bounds bounds_of_corners(const ObjContent& content) {
     Bounds bounds;
-    for (const ObjCorner& corner : content.corners)
-        bounds.add(content.positions[static_cast<std::size_t>(corner.position)]);
+    for (const ObjCorner& corner : content.corners) bounds.add(content.positions[corner.position]);
     return bounds;
 }
 
@@ -73,7 +72,7 @@ Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
     }
     corners_.clear();
     for (std::size_t i = begin_; i < begin_ + corner_count; ++i)
-        corners_.push_back(content_.positions[static_cast<std::size_t>(content_.corners[i].position)]);
+        corners_.push_back(content_.positions[content_.corners[i].position]);
     triangles_.clear();
     switch (cutter_.cut(corners_, triangles_)) {
         case PolygonCutter::Outcome::takes_too_long:

@@ -28,7 +28,7 @@ ObjVertices::ObjVertices(const ObjContent& content, Mesh& mesh)
 }
 
 std::uint32_t ObjVertices::vertex(const ObjCorner& corner) {
-    std::uint32_t* link = &first_[static_cast<std::size_t>(corner.position)];
+    std::uint32_t* link = &first_[corner.position];
     for (int length = 0; length < longest_chain; ++length) {
         ++steps_;
         if (*link == none) {
@@ -46,8 +46,8 @@ std::uint32_t ObjVertices::vertex(const ObjCorner& corner) {
 
 std::uint32_t ObjVertices::made(const ObjCorner& corner) {
     made_.push_back({corner.normal, none});
-    mesh_.positions.emplace_back(content_.positions[static_cast<std::size_t>(corner.position)]);
-    mesh_.normals.push_back(content_.normals[static_cast<std::size_t>(corner.normal)]);
+    mesh_.positions.emplace_back(content_.positions[corner.position]);
+    mesh_.normals.push_back(content_.normals[corner.normal]);
     return static_cast<std::uint32_t>(made_.size() - 1);
 }
 

@@ -45,7 +45,7 @@ std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& s
 /// Draws a list from which to choose one call or all of them. Choosing changes `limit`.
 void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
                  float width) {
-    const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
+    const auto title = [&](int call) { return title_of(calls[call], plan, scene); };
     const int count = static_cast<int>(calls.size());
     const std::string all = say("all {count} calls", "count"_a = count);
     const bool shows_all = limit.call < 0 || limit.call >= count;

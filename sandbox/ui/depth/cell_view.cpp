@@ -147,7 +147,7 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
         if (under < 0) return;
         hovered = under;
         if (static_cast<std::size_t>(under) < block.cells.size())
-            cell_tooltip(block.cells[static_cast<std::size_t>(under)], pixel_of(block, under), precision);
+            cell_tooltip(block.cells[under], pixel_of(block, under), precision);
     };
     grid("colours", picture.colors, layout.colors);
     grid("depths", picture.depths, layout.depths);
@@ -160,7 +160,7 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
 
 /// Whether the fragments of the call can be described. Those of mirror images and shadows cannot.
 bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, int call) {
-    const std::size_t pass = calls[static_cast<std::size_t>(call)].pass;
+    const std::size_t pass = calls[call].pass;
     return pass < plan.passes.size() && !plan.passes[pass].is_mirror_image &&
            plan.passes[pass].shading != Shading::flat;
 }

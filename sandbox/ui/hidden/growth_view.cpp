@@ -45,7 +45,7 @@ private:
 constexpr int own_scene = static_cast<int>(GrowthScene::own_polygons);
 
 const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
-    return state.rows[static_cast<std::size_t>(state.scene)];
+    return state.rows[state.scene];
 }
 
 /// Starts the measurement. The worker thread builds everything that it measures, from a copy of the scene that shares
@@ -213,7 +213,7 @@ void take_growth_rows(GrowthViewState& state, Session& session) {
     if (!state.log) return;
     // Take the result before the rows: once there is a result, the log is complete.
     const std::optional<Result<std::vector<GrowthRow>>> finished = state.measuring.take();
-    state.rows[static_cast<std::size_t>(state.scene)] = state.log->entries();
+    state.rows[state.scene] = state.log->entries();
     if (!finished) return;
     state.log.reset();
     if (!*finished) session.report(Error{finished->error()});

@@ -23,9 +23,7 @@ ImU32 im_color(const Color& color) {
 
 const Polygon* polygon_at(const HiddenResult& result, int fragment) {
     const auto& fragments = *result.fragments;
-    return fragment >= 0 && fragment < static_cast<int>(fragments.size())
-               ? &fragments[static_cast<std::size_t>(fragment)]
-               : nullptr;
+    return fragment >= 0 && fragment < static_cast<int>(fragments.size()) ? &fragments[fragment] : nullptr;
 }
 
 void outline(Overlay& overlay, const Polygon& polygon, ImU32 color, float thickness) {
@@ -87,7 +85,7 @@ void numbers(Overlay& overlay, const HiddenResult& result) {
     ImFont* font = widgets::CurrentContext().fonts.small_number;
     std::vector<NumberBox> taken;
     for (int place = result.drawn - 1; place >= std::max(0, result.drawn - most); --place) {
-        const Polygon* polygon = polygon_at(result, result.order[static_cast<std::size_t>(place)]);
+        const Polygon* polygon = polygon_at(result, result.order[place]);
         const std::string text = std::to_string(place + 1);
         const ImVec2 size =
             font ? font->CalcTextSizeA(font->FontSize, 1e30F, 0.0F, text.c_str()) : ImGui::CalcTextSize(text.c_str());
@@ -131,7 +129,7 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
     }
     const int last = result.drawn - 1;
     if (last < 0 || last >= static_cast<int>(result.order.size())) return;
-    if (const Polygon* polygon = polygon_at(result, result.order[static_cast<std::size_t>(last)]))
+    if (const Polygon* polygon = polygon_at(result, result.order[last]))
         outline(overlay, *polygon, palette().accent, 2.4F);
 }
 
@@ -141,10 +139,10 @@ void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
     std::vector<int> waiting;
     if (root >= 0) waiting.push_back(root);
     for (int drawn = 0; !waiting.empty() && drawn < most;) {
-        const BspNode& node = tree.nodes[static_cast<std::size_t>(waiting.back())];
+        const BspNode& node = tree.nodes[waiting.back()];
         waiting.pop_back();
         for (int i = 0; i < node.fragment_count; ++i, ++drawn)
-            outline(overlay, tree.fragments[static_cast<std::size_t>(node.first_fragment + i)], color, 1.4F);
+            outline(overlay, tree.fragments[node.first_fragment + i], color, 1.4F);
         for (const int child : {node.front, node.back})
             if (child >= 0) waiting.push_back(child);
     }
@@ -154,12 +152,12 @@ void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
 void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
     const BspTree& tree = *result.tree;
     if (index < 0 || index >= static_cast<int>(tree.nodes.size())) return;
-    const BspNode& node = tree.nodes[static_cast<std::size_t>(index)];
+    const BspNode& node = tree.nodes[index];
     const ImU32 front = im_color(front_color), back = im_color(back_color);
     subtree(overlay, tree, node.front, with_alpha(front, 200));
     subtree(overlay, tree, node.back, with_alpha(back, 200));
     if (node.fragment_count == 0) return;
-    const Polygon& polygon = tree.fragments[static_cast<std::size_t>(node.first_fragment)];
+    const Polygon& polygon = tree.fragments[node.first_fragment];
     const glm::dvec3 normal(node.plane), middle = centroid(polygon);
     const glm::dvec3 along = glm::normalize(
         glm::cross(normal, std::abs(normal.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0)));
@@ -203,7 +201,7 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 point
     const ImVec2 place = RasterPlaces(overlay.rect(), result).middle(*at);
     const bool has_order = !result.order.empty();  // ray casting has no order
     for (int turn = (has_order ? result.drawn : static_cast<int>(result.fragments->size())) - 1; turn >= 0; --turn) {
-        const int fragment = has_order ? result.order[static_cast<std::size_t>(turn)] : turn;
+        const int fragment = has_order ? result.order[turn] : turn;
         const Polygon* polygon = polygon_at(result, fragment);
         if (polygon && polygon->source == source && covers(overlay, *polygon, place)) return fragment;
     }

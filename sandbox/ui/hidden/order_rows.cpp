@@ -34,9 +34,9 @@ OrderRow row_of_polygon(const HiddenResult& result, int fragment, int source) {
 
 OrderRow OrderRows::row(int place) const {
     if (!result_.fragments || place < 0 || place >= count()) return {};
-    const int fragment = result_.order[static_cast<std::size_t>(place)];
+    const int fragment = result_.order[place];
     if (fragment < 0 || fragment >= static_cast<int>(result_.fragments->size())) return {};
-    OrderRow row = row_of_polygon(result_, fragment, (*result_.fragments)[static_cast<std::size_t>(fragment)].source);
+    OrderRow row = row_of_polygon(result_, fragment, (*result_.fragments)[fragment].source);
     row.detail = detail_of(fragment);
     row.is_reached = place < reached_;
     row.is_current = place == current_;
@@ -45,7 +45,7 @@ OrderRow OrderRows::row(int place) const {
 
 std::string OrderRows::detail_of(int fragment) const {
     if (result_.painter && static_cast<std::size_t>(fragment) < result_.painter->distances.size())
-        return number_text(result_.painter->distances[static_cast<std::size_t>(fragment)], 3);
+        return number_text(result_.painter->distances[fragment], 3);
     if (newell_step_) return fragment == newell_step_->p ? "A" : fragment == newell_step_->q ? "B" : "";
     if (!result_.tree) return "";
     const int node = index_.node_of(fragment);

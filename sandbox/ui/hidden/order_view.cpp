@@ -37,7 +37,7 @@ void draw_list(OrderViewState& state, PolygonLinks& links, Params& params, const
             if (table.row(place + 1, rows.row(place))) {
                 state.revealed = links.next.selected_fragment;
                 if (params.visibility.step >= 0 && state.revealed >= 0)
-                    params.visibility.step = result.order_steps[static_cast<std::size_t>(place)];
+                    params.visibility.step = result.order_steps[place];
             }
 }
 
@@ -52,7 +52,7 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
     clipper.Begin(static_cast<int>(hits.size()), table.row_height());
     while (clipper.Step())
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
-            const RayHitRow& hit = hits[static_cast<std::size_t>(number)];
+            const RayHitRow& hit = hits[number];
             const std::string distance = number_text(hit.distance, 3);
             OrderRow row = row_of_polygon(result, hit.fragment, hit.source);
             row.detail = number == 0 ? say("{distance} seen", "distance"_a = distance) : distance;
@@ -83,8 +83,8 @@ void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& resul
     clipper.Begin(static_cast<int>(result.touches.size()), table.row_height());
     while (clipper.Step())
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
-            const PixelTouch& touch = result.touches[static_cast<std::size_t>(number)];
-            const int source = (*result.fragments)[static_cast<std::size_t>(touch.fragment.polygon)].source;
+            const PixelTouch& touch = result.touches[number];
+            const int source = (*result.fragments)[touch.fragment.polygon].source;
             OrderRow row = row_of_polygon(result, touch.fragment.polygon, source);
             row.detail = detail_of(result, touch.fragment);
             row.is_reached = touch.step <= reached;

@@ -48,7 +48,7 @@ std::string brief_name(const SceneSurface* surface, int source) {
 ImU32 polygon_color(const SceneSurface* surface, int source) {
     const int object = object_at(surface, source);
     if (object < 0) return 0;
-    const Color& color = surface->scene.objects[static_cast<std::size_t>(object)].description.color;
+    const Color& color = surface->scene.objects[object].description.color;
     return IM_COL32(color.r, color.g, color.b, 255);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 int source_of(const HiddenResult& result, int fragment) {
     if (!result.fragments || fragment < 0 || fragment >= static_cast<int>(result.fragments->size())) return -1;
-    return (*result.fragments)[static_cast<std::size_t>(fragment)].source;
+    return (*result.fragments)[fragment].source;
 }
 
 std::string name_at(const HiddenResult& result, int fragment) {
@@ -29,7 +29,7 @@ std::string pixel_text(glm::ivec2 pixel) {
 /// Whether a cut's plane is the plane of this fragment, in either orientation.
 bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& plane) {
     if (source_of(result, fragment) < 0) return false;
-    const glm::dvec4& own = (*result.fragments)[static_cast<std::size_t>(fragment)].plane;
+    const glm::dvec4& own = (*result.fragments)[fragment].plane;
     constexpr double rounding = 1e-9;
     return glm::length(own - plane) < rounding || glm::length(own + plane) < rounding;
 }
@@ -78,8 +78,7 @@ const char* newell_test_text(NewellTest test) {
 }
 
 const NewellStep* newell_step(const HiddenResult& result) {
-    return result.newell && result.step > 0 ? &result.newell->steps[static_cast<std::size_t>(result.step - 1)]
-                                            : nullptr;
+    return result.newell && result.step > 0 ? &result.newell->steps[result.step - 1] : nullptr;
 }
 
 std::optional<Ladder> newell_ladder(const HiddenResult& result) {

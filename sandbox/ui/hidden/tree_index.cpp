@@ -41,7 +41,7 @@ void TreeIndex::take_tree(const BspTree& tree, const SceneSurface* surface) {
         labels_.insert(labels_.end(), label.begin(), label.end());
         label_ends[i] = labels_.size();
         for (int own = 0; own < node.fragment_count; ++own)
-            node_of_fragment_[static_cast<std::size_t>(node.first_fragment + own)] = static_cast<int>(i);
+            node_of_fragment_[node.first_fragment + own] = static_cast<int>(i);
     }
     for (std::size_t i = 0, begin = 0; i < count; begin = label_ends[i++])
         nodes_[i].label = {labels_.data() + begin, label_ends[i] - begin};
@@ -67,17 +67,17 @@ void TreeIndex::take_walk(const HiddenResult& result) {
 }
 
 int TreeIndex::node_of(int fragment) const {
-    return is_index(fragment, node_of_fragment_.size()) ? node_of_fragment_[static_cast<std::size_t>(fragment)] : -1;
+    return is_index(fragment, node_of_fragment_.size()) ? node_of_fragment_[fragment] : -1;
 }
 
 int TreeIndex::eye_side_of(int node) const {
-    return is_index(node, eye_sides_.size()) ? eye_sides_[static_cast<std::size_t>(node)] : 0;
+    return is_index(node, eye_sides_.size()) ? eye_sides_[node] : 0;
 }
 
 int current_node(const HiddenResult& result) {
     if (result.step < 0) return -1;
     if (result.visited_nodes > 0 && result.visited_nodes <= static_cast<int>(result.walk->visits.size()))
-        return result.walk->visits[static_cast<std::size_t>(result.visited_nodes - 1)].node;
+        return result.walk->visits[result.visited_nodes - 1].node;
     return result.built_nodes - 1;
 }
 
@@ -102,7 +102,7 @@ std::string tree_sentence(const HiddenResult& result) {
 
 std::string node_sentence(const HiddenResult& result, int node, const TreeIndex& index) {
     if (!result.tree || !is_index(node, result.tree->nodes.size()) || node >= result.built_nodes) return "";
-    const BspNode& told = result.tree->nodes[static_cast<std::size_t>(node)];
+    const BspNode& told = result.tree->nodes[node];
     if (!told.sorted)
         return say_count(told.fragment_count, "node {node}: budget reached, {count} polygon unsorted",
                          "node {node}: budget reached, {count} polygons unsorted", "node"_a = node + 1);
@@ -111,8 +111,7 @@ std::string node_sentence(const HiddenResult& result, int node, const TreeIndex&
             "polygon"_a = listed_name(result.surface.get(), told.splitter_source),
             "front"_a = grouped_number(told.front_count), "behind"_a = grouped_number(told.back_count),
             "cut"_a = grouped_number(told.split_count));
-    const bool is_visited =
-        is_index(node, index.nodes().size()) && index.nodes()[static_cast<std::size_t>(node)].mark > 0;
+    const bool is_visited = is_index(node, index.nodes().size()) && index.nodes()[node].mark > 0;
     if (!is_visited) return plane;
     const int side = index.eye_side_of(node);
     const bool front_first = (side > 0) == (result.request.visibility.walk == BspOrder::front_to_back);

@@ -23,7 +23,7 @@ void select_node(PolygonLink& link, const BspTree& tree, int node) {
     link.selected_node = node;
     link.selected_fragment = -1;
     if (node < 0) return;
-    const BspNode& chosen = tree.nodes[static_cast<std::size_t>(node)];
+    const BspNode& chosen = tree.nodes[node];
     if (chosen.fragment_count > 0) link.selected_fragment = chosen.first_fragment + chosen.fragment_count - 1;
 }
 

@@ -101,7 +101,7 @@ float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, 
                     const Place& place) {
     float x = 0.0F, y = 0.0F, height = 0.0F;
     for (const int item : order) {
-        const ImVec2 tile = sizes.tile_size(ask.items[static_cast<std::size_t>(item)], ask, width);
+        const ImVec2 tile = sizes.tile_size(ask.items[item], ask, width);
         if (x > 0.0F && x + tile.x > width) {
             x = 0.0F;
             y += std::exchange(height, 0.0F);
@@ -230,7 +230,7 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
         widgets::Matrix("answer", matrix, {.editable = !style.presents, .read = typed_number, .unread = unread},
                         std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();
-        for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
+        for (int i = 0; i < 16; ++i) answer.numbers[i] = matrix[i % 4][i / 4];
     } else {
         const std::size_t columns = numbers_in_a_row(ask);
         for (std::size_t row = 0; row * columns < answer.numbers.size(); ++row) {
@@ -273,9 +273,8 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
     const float end = lay_out_tiles(ask, order, width, sizes, [&](int item, float x, float y, ImVec2 tile) {
         const ImVec2 min(corner.x + x, corner.y + y);
         const float arrow = sizes.arrow();
-        draw_tile(sizes.tile_text(ask.items[static_cast<std::size_t>(item)], ask, width), min, tile,
-                  arrow + sizes.padding(), {false, style.shows_right, false}, style.is_open,
-                  "item " + std::to_string(item + 1));
+        draw_tile(sizes.tile_text(ask.items[item], ask, width), min, tile, arrow + sizes.padding(),
+                  {false, style.shows_right, false}, style.is_open, "item " + std::to_string(item + 1));
         if (style.is_open && ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
             ImGui::SetDragDropPayload("place", &place, sizeof place);
             ImGui::EndDragDropSource();
@@ -302,7 +301,7 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
     });
     if (moved && moved->first != moved->second) {
         std::vector<int>& items = run.answer().items;
-        const int item = items[static_cast<std::size_t>(moved->first)];
+        const int item = items[moved->first];
         items.erase(items.begin() + moved->first);
         items.insert(items.begin() + moved->second, item);
         run.forget_verdict();
@@ -322,10 +321,9 @@ void draw_chosen(LessonRun& run, const AnswerStyle& style, const AnswerSizes& si
         const auto at = std::find(shown.begin(), shown.end(), item);
         const bool is_chosen = at != shown.end();
         const ImVec2 min(corner.x + x, corner.y + y);
-        const bool clicked =
-            draw_tile(sizes.tile_text(ask.items[static_cast<std::size_t>(item)], ask, width), min, tile,
-                      sizes.letter() + sizes.padding(), {is_chosen, is_chosen && style.shows_right, false},
-                      style.is_open, "item " + std::to_string(item + 1));
+        const bool clicked = draw_tile(
+            sizes.tile_text(ask.items[item], ask, width), min, tile, sizes.letter() + sizes.padding(),
+            {is_chosen, is_chosen && style.shows_right, false}, style.is_open, "item " + std::to_string(item + 1));
         const std::string sign = !is_chosen                ? ""
                                  : kind_of(ask).is_ordered ? std::to_string(at - shown.begin() + 1)
                                                            : "✓";

@@ -72,7 +72,7 @@ void ExercisePage::open(ExerciseDesk& desk) {
 
 std::vector<std::size_t> ExercisePage::shown(const ExerciseDesk& desk) const {
     std::vector<std::size_t> places;
-    const std::string set = sets[static_cast<std::size_t>(set_)].name;
+    const std::string set = sets[set_].name;
     for (std::size_t i = 0; i < desk.entries().size(); ++i)
         if (set.empty() || desk.entries()[i].exercise.is_in(set)) places.push_back(i);
     return places;
@@ -177,7 +177,7 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     const int clicked = draw_cards(
         cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
     ImGui::EndChild();
-    if (clicked >= 0) chosen_ = desk.entries()[places[static_cast<std::size_t>(clicked)]].exercise.id;
+    if (clicked >= 0) chosen_ = desk.entries()[places[clicked]].exercise.id;
     if (chosen_.empty() || !desk.is_ready()) return wishes;
     std::optional<LessonRun> run = desk.sheet_at(std::exchange(chosen_, {}), places);
     if (!run) return wishes;

@@ -82,7 +82,7 @@ void draw_product_row(const LessonRun& run, float width) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     std::string name;
     for (std::size_t i = 0; i < count; ++i) {
-        name += (i == 0 ? "" : " ") + short_name(ask.items[static_cast<std::size_t>(items[i])]);
+        name += (i == 0 ? "" : " ") + short_name(ask.items[items[i]]);
         if (i + most < count) continue;
         const std::size_t place = i + most - std::max(count, most);
         const auto column = static_cast<float>(place % columns), row = static_cast<float>(place / columns);

@@ -210,7 +210,7 @@ void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& 
     if (look.presents) return;
     draw_buttons(run, look, width, wishes);
     for (int i = 0; i < run.hints_shown(); ++i)  // below the buttons, which stay where they are
-        draw_paragraph(step.ask.hints[static_cast<std::size_t>(i)], context.fonts.text, width, "hint", palette().quiet);
+        draw_paragraph(step.ask.hints[i], context.fonts.text, width, "hint", palette().quiet);
 }
 
 /// Draws the progress toward a goal, one line for each of its numbers.

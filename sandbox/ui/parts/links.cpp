@@ -44,7 +44,7 @@ MatrixCells mirror_cells(bool printed_by_rows, bool plus_2ab) {
                                 0,           0,           0,           0};
     for (std::size_t i = 0; printed_by_rows && i < 3; ++i) std::swap(links[4 * i + 3], links[12 + i]);
     MatrixCells cells = cells_of(mirror_symbols(printed_by_rows, plus_2ab), links);
-    for (int cell = 0; cell < 16; ++cell) cells[static_cast<std::size_t>(cell)].own = link::mirror_entry(cell);
+    for (int cell = 0; cell < 16; ++cell) cells[cell].own = link::mirror_entry(cell);
     return cells;
 }
 
@@ -85,8 +85,7 @@ MatrixCells projection_cells(const Params& params, bool clip_zero_to_one) {
 void mark_changed(MatrixCells& cells, const glm::dmat4& now, const glm::dmat4& before) {
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            cells[static_cast<std::size_t>(4 * row + column)].changed =
-                std::abs(now[column][row] - before[column][row]) >= 0.0005;
+            cells[4 * row + column].changed = std::abs(now[column][row] - before[column][row]) >= 0.0005;
 }
 
 std::span<const LetterRole> shadow_roles() {

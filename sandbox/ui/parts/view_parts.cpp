@@ -51,12 +51,12 @@ bool words(const char* id, int& index, std::span<const char* const> names, std::
         const bool chosen = one == index;
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().field_active : 0U);
         ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().quiet);
-        if (widgets::SmallButton(names[static_cast<std::size_t>(one)]) && !chosen) {
+        if (widgets::SmallButton(names[one]) && !chosen) {
             index = one;
             changed = true;
         }
         ImGui::PopStyleColor(2);
-        widgets::Tooltip(names[static_cast<std::size_t>(one)], explanations[static_cast<std::size_t>(one)]);
+        widgets::Tooltip(names[one], explanations[one]);
     }
     ImGui::PopID();
     return changed;

@@ -71,7 +71,7 @@ bool fill_columns(DerivationFlow& flow, const Lines& lines, int count, float con
         }
         // Keep a heading together with the line below it.
         while (end < lines.size() && end > 0 && lines[end - 1].kind == DerivationLine::Kind::heading) ++end;
-        flow.columns[static_cast<std::size_t>(column)] = end;
+        flow.columns[column] = end;
     }
     float first = 0.0F;
     for (std::size_t i = 0; i < end; ++i) first += Measure::in_column(flow, lines[i]);

@@ -109,7 +109,7 @@ std::string place_of(const Function& function, const CodeLine& line) {
 }
 
 void draw_line(const Function& function, const CodeLine& line, const Writing& writing) {
-    const widgets::MatrixCell& cell = function.cells[static_cast<std::size_t>(4 * line.row + line.column)];
+    const widgets::MatrixCell& cell = function.cells[4 * line.row + line.column];
     const std::string target = std::string("matrix:") + function.letter + "[" + std::to_string(line.row) + "][" +
                                std::to_string(line.column) + "]";
     const bool is_covered = widgets::IsCovered(target);

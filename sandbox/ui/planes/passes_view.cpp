@@ -121,7 +121,7 @@ void call_lines(const std::vector<Message>& calls, MarkedCalls& done, const glm:
 /// already stops here, removes the stop.
 void entry(Session& session, const FramePlan& plan, int number, MarkedCalls& done) {
     const widgets::Context& context = widgets::CurrentContext();
-    const Pass& pass = plan.passes[static_cast<std::size_t>(number)];
+    const Pass& pass = plan.passes[number];
     int& stop = session.params.view.pass;
     const bool is_last = number + 1 == static_cast<int>(plan.passes.size());
     const bool goes_on = is_last || stop == number;
@@ -140,7 +140,7 @@ void entry(Session& session, const FramePlan& plan, int number, MarkedCalls& don
                                              : goes_on ? marked("Click to draw the whole frame.")
                                                        : marked("Click to stop the frame after this pass."));
     widgets::Note(say(pass.reason).c_str());
-    const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
+    const Pass before = number == 0 ? first_gl_state() : plan.passes[number - 1];
     const glm::dmat4 uploaded = pass.clip_from_world * pass.world_from_scene;
     call_lines(gl_calls(plan, pass, before), done, &uploaded);
     if (!is_drawn) ImGui::PopStyleVar();

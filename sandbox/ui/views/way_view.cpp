@@ -35,8 +35,8 @@ std::array<std::string, 4> column_text(const glm::dvec4& column, int decimals) {
     std::array<std::string, 4> texts;
     std::size_t longest = 0;
     for (int row = 0; row < 4; ++row) {
-        texts[static_cast<std::size_t>(row)] = number_text(column[row], decimals);
-        longest = std::max(longest, character_count(texts[static_cast<std::size_t>(row)]));
+        texts[row] = number_text(column[row], decimals);
+        longest = std::max(longest, character_count(texts[row]));
     }
     for (std::string& text : texts) text.insert(0, longest - character_count(text), ' ');
     return texts;

@@ -19,8 +19,7 @@ Slot other_than(Slot slot) {
 void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect, bool is_alone) {
     const Topic shown = topic_of(params, slot);
     int topic = static_cast<int>(shown);
-    if (!widgets::Offers("control:view.lower"))
-        return view_header(rect, topic_titles()[static_cast<std::size_t>(topic)]);
+    if (!widgets::Offers("control:view.lower")) return view_header(rect, topic_titles()[topic]);
     view_header(rect, "");
     const char* other = topic_titles()[static_cast<std::size_t>(topic_of(params, other_than(slot)))];
     const float room_beside = rect.width() - widgets::SmallButtonWidth(other) - px(12.0F);

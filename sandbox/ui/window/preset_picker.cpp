@@ -83,9 +83,7 @@ bool PresetPicker::draw_search(const std::vector<const NamedFile*>& found) {
     const int step = (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
     const auto count = static_cast<std::ptrdiff_t>(found.size());
     if (step != 0 && count > 0)
-        marked_ =
-            found[static_cast<std::size_t>(std::clamp(place_of(found, marked_) + step, std::ptrdiff_t{0}, count - 1))]
-                ->name;
+        marked_ = found[std::clamp(place_of(found, marked_) + step, std::ptrdiff_t{0}, count - 1)]->name;
     return entered;
 }
 
@@ -157,7 +155,7 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     ImGui::EndChild();
 
     const std::ptrdiff_t place = place_of(found, marked_);
-    const NamedFile* marked = found.empty() ? nullptr : found[static_cast<std::size_t>(place)];
+    const NamedFile* marked = found.empty() ? nullptr : found[place];
     if (entered) chosen = marked;
     if (marked) wanted_picture_ = marked->name;
     ImGui::SameLine(0.0F, px(12.0F));

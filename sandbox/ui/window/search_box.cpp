@@ -97,7 +97,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
     }
     if (found_.empty()) widgets::Note(marked("No entry contains these words."));
     ImGui::PopFont();
-    if (entered && !found_.empty()) chosen = found_[static_cast<std::size_t>(marked_)];
+    if (entered && !found_.empty()) chosen = found_[marked_];
 
     // A setting without a value stays in the field, so that the user can type its value next.
     const auto* const setting = chosen ? std::get_if<FieldChoice>(&chosen->choice) : nullptr;

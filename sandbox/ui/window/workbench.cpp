@@ -135,7 +135,7 @@ const NamedFile* Workbench::preset_at(const Session& session, int places) const 
     // Without an open preset, the first one is next.
     std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
     const auto preset = [&]() -> const NamedFile* {
-        return place >= 0 && place < std::ssize(presets_) ? &presets_[static_cast<std::size_t>(place)] : nullptr;
+        return place >= 0 && place < std::ssize(presets_) ? &presets_[place] : nullptr;
     };
     if (places != 0)
         while (preset() && preset()->sets_looks) place += places;
