@@ -224,7 +224,7 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
     std::vector<DistanceMark> marks;
     for (const Group& group : groups) {
         const SeenThing& first = *group.first;
-        Message label = first.is_plane ? message("the plane") : verbatim(first.name);
+        Message label = first.is_plane ? message("the plane") : object_message(first.name);
         if (group.count > 1) label = listed({label, verbatim("+" + std::to_string(group.count - 1))}, " ");
         marks.push_back({label, first.nearest, first.is_plane});
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "state/person/language.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
@@ -109,6 +110,15 @@ TEST(DistanceMarks, AreGroupedWhereTheyAreClosest) {
     ASSERT_EQ(distance_marks(seen, 1).size(), 1U);
     EXPECT_EQ(say(distance_marks(seen, 0).at(0).label), "a +4");
     EXPECT_TRUE(distance_marks({}, 8).empty());
+}
+
+TEST(DistanceMarks, NameObjectsInTheChosenLanguage) {
+    const std::vector<SeenThing> seen = {{"torus", 1.0, 2.0}, {"b", 1.01, 2.0}};
+    const Message label = distance_marks(seen, 8).at(0).label;
+    EXPECT_EQ(say(label), "torus +1");
+    ASSERT_TRUE(speak(Language::ko));
+    EXPECT_EQ(say(label), "토러스 +1");
+    ASSERT_TRUE(speak(Language::en));
 }
 
 TEST(NearAdvice, QuantifiesTheGain) {
