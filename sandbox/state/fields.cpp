@@ -653,7 +653,7 @@ const Field all_fields[] = {
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "reflection.clip",
      .place = IN(reflection.clip),
-     .label = "clip to mirror",
+     .label = "clip at the plane",
      .idle = {no_reflection, no_mirror},
      .help = "How objects behind the mirror are kept out of the mirror image: not at all, by a clip plane per vertex, "
              "or by an oblique near plane in the projection. The oblique plane needs no extra hardware, but depth is "

@@ -323,10 +323,8 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
     const PixelChain there = pixel_chain(question.plan, question.finder, beside, question.viewport.size_px);
     const Touch* seen = there.surface(question.plan);
     if (seen)
-        said.push_back(seen->fragment.object_index == surface->fragment.object_index
-                           ? message("By exact depth, the neighboring pixel shows the same surface.")
-                           : message("By exact depth, the neighboring pixel shows {surface}.",
-                                     "surface"_a = surface_name(question, seen->fragment.object_index)));
+        said.push_back(message("With depth computed exactly and then rounded, the pixel beside it shows {surface}.",
+                               "surface"_a = surface_name(question, seen->fragment.object_index)));
     made.rows.push_back(
         {.kind = WhyRow::Kind::fight, .title = message("Depth fighting"), .sentences = {listed(said, " ")}});
 }

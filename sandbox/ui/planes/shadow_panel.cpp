@@ -261,7 +261,7 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     control(params, "reflection.bounces", {.slider = true});
     static constexpr const char* clips[] = {marked("no clipping"), marked("clip distance"),
                                             marked("oblique near plane")};
-    control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = marked("clip at the plane")});
+    control(params, "reflection.clip", {.width = 150.0F, .names = clips});
     static constexpr const char* drawn[] = {
         "control:reflection.mirrored",        "control:reflection.side_of_eye",
         "control:reflection.shadows",         "control:reflection.after_objects",
