@@ -103,6 +103,26 @@ TEST_P(StageTablesTest, AnsweredNearPlaneCutsNothing) {
     EXPECT_EQ(changed, 0) << "pixels of the camera view";
 }
 
+/// A sentence about the picture is in front of the lines and labels that explain a pixel.
+TEST_P(StageTablesTest, NoLineCrossesASentence) {
+    const Result<Lesson> lesson = load_lesson("why-this-pixel");
+    ASSERT_TRUE(lesson) << lesson.error();
+    const std::unique_ptr<RestingWindow> window = stage_of(*lesson, 1, true);
+    ASSERT_TRUE(window);
+    const float right = window->layout().camera.max.x;
+    const Drawing drawing = window->record();
+    const auto place_of = [&](std::u32string_view part) {
+        const auto is_it = [&](const Mark& mark) {
+            const auto* const line = std::get_if<Line>(&mark.what);
+            return line && line->lefts_px.front() < right && line->characters.find(part) != std::u32string::npos;
+        };
+        return std::find_if(drawing.marks.begin(), drawing.marks.end(), is_it) - drawing.marks.begin();
+    };
+    const std::ptrdiff_t sentence = place_of(U"each face"), label = place_of(U"torus");
+    ASSERT_LT(sentence, std::ssize(drawing.marks));
+    EXPECT_LT(label, sentence) << "marks are from back to front";
+}
+
 INSTANTIATE_TEST_SUITE_P(Projectors, StageTablesTest, ::testing::Values(glm::ivec2(1024, 768), glm::ivec2(1280, 720)));
 
 }  // namespace

@@ -286,7 +286,14 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     draw_picture(rect, pictures.camera);
     const bool has_sentences = !problems.empty() && !widgets::IsCovered("sentences");
     if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside, has_sentences);
+    // Sentences and the legend come first, so that the overlay's labels avoid them, but they are in the upper layer, so
+    // that no line crosses them.
+    ImDrawList* const draw = ImGui::GetWindowDrawList();
+    ImDrawListSplitter layers;
+    layers.Split(draw, 2);
+    layers.SetCurrentChannel(draw, 1);
     const Rect told = tell_problems(session, problems, rect);
+    layers.SetCurrentChannel(draw, 0);
     picture_item("camera view", rect, nullptr);
     const bool over = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -294,7 +301,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     state.camera_px = rect.size_px();
     if (over) state.hovered_pixel = state.told_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
 
-    Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
+    Overlay overlay(draw, rect, derived.clip_from_world);
     for (const Rect& taken : {told, state.plate})
         if (!taken.empty()) overlay.keep_labels_off(taken);
     if (has_divider) {  // the names of the two sides are at the top
@@ -310,12 +317,9 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
 
-    // Draw the legend first, so that the overlay's labels avoid it, but in the upper layer, so that it stays on top.
-    ImDrawListSplitter layers;
-    layers.Split(overlay.draw(), 2);
-    layers.SetCurrentChannel(overlay.draw(), 1);
+    layers.SetCurrentChannel(draw, 1);
     camera_legend(overlay, params, pictures.hidden);
-    layers.SetCurrentChannel(overlay.draw(), 0);
+    layers.SetCurrentChannel(draw, 0);
     PolygonLinks& links = state.hidden.links;
     if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, mouse);
     draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
@@ -327,7 +331,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
         if (state.marks_lights) draw_light_handles(overlay, places, derived, hovered);
         if (state.marks_derivation || params.follow) draw_derivation_overlay(overlay, params, derived);
     }
-    layers.Merge(overlay.draw());
+    layers.Merge(draw);
 }
 
 }  // namespace viewing
