@@ -36,9 +36,12 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
 constexpr float width_of_vectors = 360.0F;  ///< wide enough for several numbers in a row
 constexpr float height_of_row = 27.0F;      ///< of a control
 
-/// The height of the listed controls with their headings.
-float height_of_controls(const Telling& telling, float scale) {
-    return (static_cast<float>(telling.control_rows) * height_of_row + 34.0F) * scale;
+constexpr float heading_of_controls = 20.0F;  ///< not on stage
+
+/// The height of the listed controls without a heading, in design pixels.
+float height_of_controls(const Telling& telling) {
+    constexpr float padding = 14.0F;
+    return static_cast<float>(telling.control_rows) * height_of_row + padding;
 }
 
 /// A part of the column on stage. Sizes are in design pixels and exclude the header.
@@ -104,9 +107,9 @@ Fit place_column(const std::vector<StagePart>& parts, const Rect& column, float 
 constexpr int most_rows_on_plate = 2;
 
 Rect plate_over(const Rect& picture, const Telling& telling, float width, float scale) {
-    constexpr float padding = 14.0F, margin = 10.0F;
+    constexpr float margin = 10.0F;
     const ImVec2 corner(picture.max.x - margin * scale, picture.max.y - margin * scale);
-    const float height = static_cast<float>(telling.control_rows) * height_of_row + padding;
+    const float height = height_of_controls(telling);
     return rounded(std::max(corner.x - width * scale, picture.min.x + margin * scale), corner.y - height * scale,
                    corner.x, corner.y);
 }
@@ -151,7 +154,7 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     const float width_of_controls = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
     if (telling.control_rows > 0 && !arrangement.panel_folded) {
         const bool is_alone = parts.empty();
-        const float height = height_of_controls(telling, 1.0F);
+        const float height = height_of_controls(telling);
         parts.push_back({&layout.panel, {width_of_controls, height}, height, height, false});
         place();
         const bool has_picture = arrangement.maximized == ViewName::none || arrangement.maximized == ViewName::camera;
@@ -200,7 +203,7 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
         const float width = std::min(std::max(least * scale, share * whole.width()), 0.5F * whole.width());
         const Rect column = rounded(whole.max.x - width, whole.min.y, whole.max.x, whole.max.y);
         constexpr float long_name = 18.0F;  // above its numbers
-        const float wanted = height_of_controls(telling, scale) + long_name * scale;
+        const float wanted = (heading_of_controls + height_of_controls(telling) + long_name) * scale;
         const float controls = has_matrices ? std::min(wanted, 0.5F * column.height()) : column.height();
         const float split = column.max.y - (has_controls ? controls : 0.0F);
         if (has_controls) layout.panel = rounded(column.min.x, split, column.max.x, column.max.y);

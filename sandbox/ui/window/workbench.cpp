@@ -282,7 +282,8 @@ void Workbench::draw_columns(Session& session, const WindowContent& content, con
         if (session.params.view.layout.controls.empty())
             draw_panel(session, derived, problems, views.hidden.panel, hidden, camera_tab_);
         else
-            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden, camera_tab_, !on_plate);
+            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden, camera_tab_,
+                                 !arrangement.presents);
         section_links_.note();
         widgets::CountScrolled();
         ImGui::End();
