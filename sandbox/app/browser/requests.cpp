@@ -46,8 +46,9 @@ Result<LoadedState> state_to_open(const std::string& text) {
 constexpr std::array asked_views{PictureView::camera, PictureView::depth, PictureView::stencil, PictureView::window};
 
 std::optional<PictureView> asked_view(std::string_view name) {
-    const auto* const at = std::find_if(asked_views.begin(), asked_views.end(),
-                                        [name](PictureView view) { return picture_view_names[view] == name; });
+    const auto* const at = std::find_if(asked_views.begin(), asked_views.end(), [name](PictureView view) {
+        return picture_view_names[static_cast<std::size_t>(view)] == name;
+    });
     return at != asked_views.end() ? std::optional(*at) : std::nullopt;
 }
 
@@ -76,7 +77,8 @@ Result<PictureRequest> picture_request(std::string_view view, glm::dvec2 size_px
     const std::optional<PictureView> asked = asked_view(view);
     if (!asked) {
         std::vector<std::string> names;
-        for (const PictureView known : asked_views) names.emplace_back(picture_view_names[known]);
+        for (const PictureView known : asked_views)
+            names.emplace_back(picture_view_names[static_cast<std::size_t>(known)]);
         return Error{"picture: view must be one of " + joined(names) + ", got " + one_line(view)};
     }
     PictureRequest request{.view = *asked, .size_px = page->studio.shown().camera_px};
