@@ -112,10 +112,10 @@ TEST(StageLayout, ViewsShrinkBeforeMatricesAndControls) {
     arrangement.telling.control_rows = 4;
     const ImVec2 room(1280, 720);
     const float scale = enlargement(room, 1.0F, arrangement);
-    arrangement.strip_px = room.y - 440.0F * scale;
+    arrangement.strip_px = room.y - 420.0F * scale;
     const Layout layout = laid_out(room, arrangement);
     EXPECT_GE(layout.matrices.height(), 139.0F * scale);
-    EXPECT_GE(layout.panel.height(), 141.0F * scale);
+    EXPECT_GE(layout.panel.height(), 121.0F * scale);
     EXPECT_LT(layout.lower_left.height(), 149.0F * scale);
     EXPECT_GT(layout.lower_left.height(), 80.0F * scale);
 }
@@ -131,7 +131,7 @@ TEST(StageLayout, ControlsLeaveACrowdedColumn) {
     for (const float height : {270.0F, 360.0F, 390.0F, 420.0F, 450.0F, 480.0F}) {
         arrangement.strip_px = room.y - height * scale;
         const Layout layout = laid_out(room, arrangement);
-        EXPECT_EQ(layout.panel_over_picture, height < 440.0F) << height;
+        EXPECT_EQ(layout.panel_over_picture, height < 405.0F) << height;
         EXPECT_EQ(layout.column_fits, height > 300.0F) << height;
         EXPECT_TRUE(!layout.column_fits || layout.lower_right.height() >= 105.0F * scale) << height;
     }

@@ -83,12 +83,11 @@ void DrawCell(ImDrawList* draw, const Cell& cell, ImVec2 min, ImVec2 max, float 
     const ImU32 color = ColorOf(cell);
     draw->AddRectFilled(min, end, Shown(color));
     if (!cell.unwritten) return;
-    // A diagonal line; with a number, only its ends, so that it does not cross the number out.
-    const float part = cell.text.empty() ? 0.5F : 0.2F, x = part * (end.x - min.x), y = part * (end.y - min.y);
-    const ImU32 ink = Shown(inner::Mix(color, ContrastingInk(color), 0.3F));
-    const float width = Px(1) * CurrentContext().palette.stroke;
-    draw->AddLine(ImVec2(min.x, end.y), ImVec2(min.x + x, end.y - y), ink, width);
-    draw->AddLine(ImVec2(end.x - x, min.y + y), ImVec2(end.x, min.y), ink, width);
+    // A diagonal line; beside a number, only its beginning, so that it does not cross the number out.
+    const float part = cell.text.empty() ? 1.0F : 0.25F;
+    const ImVec2 start(min.x, end.y), stop(min.x + part * (end.x - min.x), end.y - part * (end.y - min.y));
+    draw->AddLine(start, stop, Shown(inner::Mix(color, ContrastingInk(color), 0.3F)),
+                  Px(1) * CurrentContext().palette.stroke);
 }
 
 /// Draws a ring on the cell's edge, clear of its text, between two thin lines that set it off from any color.
