@@ -154,9 +154,11 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     const float width_of_controls = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
     if (telling.control_rows > 0 && !arrangement.panel_folded) {
         const bool is_alone = parts.empty();
-        const float height = height_of_controls(telling);
-        parts.push_back({&layout.panel, {width_of_controls, height}, height, height, false});
+        // A column that would have less than a row to spare counts as tight.
+        const float height = height_of_controls(telling), with_spare = height + 20.0F;
+        parts.push_back({&layout.panel, {width_of_controls, with_spare}, with_spare, with_spare, false});
         place();
+        parts.back().least.y = parts.back().most_height = parts.back().lowest = height;
         const bool has_picture = arrangement.maximized == ViewName::none || arrangement.maximized == ViewName::camera;
         const float with_symbols = std::floor((telling.short_matrices + telling.first_symbols) * scale);
         const bool is_tight = fit != Fit::whole || (has_matrices && layout.matrices.height() < with_symbols);
