@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "grading/lesson_numbers.h"
 #include "lesson/allowed.h"
 #include "lesson/filled_text.h"
-#include "lesson/goal_progress.h"
-#include "lesson/question_kind.h"
-#include "lesson/typed_matrix.h"
-#include "report/lesson_numbers.h"
+#include "lesson/questions/goal_progress.h"
+#include "lesson/questions/question_kind.h"
+#include "lesson/questions/typed_matrix.h"
 #include "text/catalogue.h"
 
 namespace viewing {

@@ -1,13 +1,13 @@
 // Judges a lesson's answers when Check is pressed, and its goals whenever the state changes. Answers that need measured
-// pictures are judged in the background, while the window shows that they are being checked. See lesson/judge.h for how
-// a verdict is reached.
+// pictures are judged in the background, while the window shows that they are being checked. See
+// lesson/questions/judge.h for how a verdict is reached.
 #pragma once
 
 #include <memory>
 #include <optional>
 
 #include "app/side_renderer.h"
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 #include "platform/background.h"
 #include "ui/window/workbench.h"
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/shown_frame.h"
-#include "frame/why/why.h"
-#include "measure/depth_inspector.h"
-#include "measure/fighting_counter.h"
 #include "session/session.h"
+#include "topics/depth/measured/depth_inspector.h"
+#include "topics/depth/measured/fighting_counter.h"
+#include "topics/why/numbers/why.h"
 #include "ui/views/views.h"
 
 namespace viewing {

@@ -2,7 +2,7 @@
 
 #include "app/resting_window.h"
 #include "image/image_size.h"
-#include "measure/camera_picture.h"
+#include "topics/hidden/measured/camera_picture.h"
 
 namespace viewing {
 namespace {

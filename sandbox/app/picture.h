@@ -12,7 +12,7 @@
 #include "session/session.h"
 #include "state/presets.h"
 #include "state/scene.h"
-#include "ui/hidden/growth_view.h"
+#include "topics/hidden/shown/growth_view.h"
 
 namespace viewing {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "measure/hidden_answers.h"
+#include "topics/hidden/measured/hidden_answers.h"
 
 namespace viewing {
 Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, const Load& load,

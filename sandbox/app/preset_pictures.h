@@ -8,11 +8,11 @@
 #include <string>
 
 #include "frame/derive.h"
-#include "frame/hidden/hidden_views.h"
 #include "gl/target.h"
 #include "platform/background.h"
 #include "render/renderer.h"
 #include "state/scene.h"
+#include "topics/hidden/numbers/hidden_views.h"
 #include "ui/views/views.h"
 
 namespace viewing {

@@ -5,7 +5,7 @@
 #include "app/picture.h"
 #include "app/studio.h"
 #include "image/matte.h"
-#include "lesson/seen_answer.h"
+#include "lesson/questions/seen_answer.h"
 
 namespace viewing {
 

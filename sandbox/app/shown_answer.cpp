@@ -1,6 +1,6 @@
 #include "app/shown_answer.h"
 
-#include "measure/hidden_answers.h"
+#include "topics/hidden/measured/hidden_answers.h"
 
 namespace viewing {
 

@@ -1,10 +1,10 @@
 // The result of the hidden-surface method in the camera's view, kept up to date without blocking the window. Read
-// measure/hidden_worker.h next.
+// topics/hidden/measured/hidden_worker.h next.
 #pragma once
 
-#include "measure/hidden_worker.h"
 #include "render/renderer.h"
 #include "session/session.h"
+#include "topics/hidden/measured/hidden_worker.h"
 
 namespace viewing {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "frame/hidden/hidden_views.h"
 #include "frame/pinned_pixel.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/problems.h"
+#include "topics/hidden/numbers/hidden_views.h"
 
 namespace viewing {
 

@@ -1,9 +1,9 @@
 #include "app/step_on_screen.h"
 
 #include "app/resting_window.h"
-#include "lesson/question_kind.h"
-#include "lesson/seen_answer.h"
-#include "report/state_numbers.h"
+#include "grading/state_numbers.h"
+#include "lesson/questions/question_kind.h"
+#include "lesson/questions/seen_answer.h"
 #include "state/person/language.h"
 
 namespace viewing {

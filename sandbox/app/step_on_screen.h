@@ -1,7 +1,7 @@
 // Checks whether the answer to a lesson's step is already visible in the window before it is revealed.
 #pragma once
 
-#include "report/lesson_check.h"
+#include "grading/lesson_check.h"
 
 namespace viewing {
 

@@ -15,10 +15,10 @@
 #include <utility>
 
 #include "gl/dialect.h"
-#include "report/state_numbers.h"
+#include "grading/state_numbers.h"
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
-#include "ui/depth/pixel_words.h"
+#include "topics/depth/shown/pixel_words.h"
 #include "ui/views/lower_view.h"
 #include "ui/window/recording.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <span>
 
-#include "measure/hidden_answers.h"
-#include "measure/mirror_measure.h"
 #include "state/file/beside.h"
+#include "topics/hidden/measured/hidden_answers.h"
+#include "topics/planes/measured/mirror_measure.h"
 #include "ui/views/lower_view.h"
 
 namespace viewing {

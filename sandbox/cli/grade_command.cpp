@@ -1,4 +1,4 @@
-// grade: regrades hand-ins, and writes a table, a page, or JSON. Read report/grading.h next.
+// grade: regrades hand-ins, and writes a table, a page, or JSON. Read grading/grading.h next.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -12,9 +12,9 @@
 #include "cli/results/grade_tables.h"
 #include "cli/results/hand_in_files.h"
 #include "cli/time_limit.h"
+#include "grading/grading.h"
 #include "platform/file.h"
 #include "platform/heap.h"
-#include "report/grading.h"
 #include "text/words.h"
 
 namespace viewing {

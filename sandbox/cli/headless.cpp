@@ -1,10 +1,10 @@
 #include "cli/headless.h"
 
 #include "cli/option_values.h"
-#include "frame/hidden/hidden_views.h"
 #include "platform/heap.h"
 #include "platform/leave.h"
 #include "platform/threads.h"
+#include "topics/hidden/numbers/hidden_views.h"
 
 namespace viewing {
 

@@ -11,8 +11,8 @@
 #include "cli/state_arguments.h"
 #include "frame/pinned_pixel.h"
 #include "platform/text_file.h"
-#include "report/pixel_as_json.h"
-#include "report/why_report.h"
+#include "topics/depth/measured/pixel_as_json.h"
+#include "topics/why/measured/why_report.h"
 
 namespace viewing {
 namespace {

@@ -10,10 +10,10 @@
 #include "cli/results/chosen_matrices.h"
 #include "cli/results/explained_text.h"
 #include "cli/state_arguments.h"
-#include "frame/look_at_text.h"
-#include "frame/matrix_text.h"
 #include "report/as_json.h"
 #include "report/matrices_report.h"
+#include "topics/matrices/numbers/look_at_text.h"
+#include "topics/matrices/numbers/matrix_text.h"
 
 namespace viewing {
 namespace {

@@ -1,5 +1,5 @@
-// measure: measures a frame, or the costs of methods as the number of polygons grows. Read report/visibility_report.h
-// and report/fighting_as_json.h next.
+// measure: measures a frame, or the costs of methods as the number of polygons grows. Read
+// topics/hidden/measured/visibility_report.h and topics/depth/measured/fighting_as_json.h next.
 #include <array>
 #include <limits>
 
@@ -9,14 +9,14 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/state_arguments.h"
-#include "frame/hidden/hidden_budget.h"
-#include "frame/hidden/hidden_surfaces.h"
 #include "report/as_json.h"
-#include "report/fighting_as_json.h"
-#include "report/mirror_report.h"
-#include "report/order_report.h"
-#include "report/visibility_report.h"
-#include "visibility/growth.h"
+#include "topics/depth/measured/fighting_as_json.h"
+#include "topics/hidden/measured/order_report.h"
+#include "topics/hidden/measured/visibility_report.h"
+#include "topics/hidden/methods/growth.h"
+#include "topics/hidden/numbers/hidden_budget.h"
+#include "topics/hidden/numbers/hidden_surfaces.h"
+#include "topics/planes/measured/mirror_report.h"
 
 namespace viewing {
 namespace {

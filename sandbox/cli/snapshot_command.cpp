@@ -18,10 +18,10 @@
 #include "cli/thresholds.h"
 #include "frame/finite.h"
 #include "gl/facts.h"
+#include "grading/exercise_picture.h"
 #include "lesson/lesson_run.h"
 #include "report/as_json.h"
-#include "report/depth_image.h"
-#include "report/exercise_picture.h"
+#include "topics/depth/measured/depth_image.h"
 
 namespace viewing {
 namespace {

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "frame/depth/decals.h"
 #include "frame/matrix_facts.h"
 #include "frame/object_reach.h"
-#include "frame/planes/lecture_code.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
+#include "topics/depth/numbers/decals.h"
+#include "topics/planes/numbers/lecture_code.h"
 
 namespace viewing {
 namespace {

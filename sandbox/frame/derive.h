@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "frame/depth/driver_depth.h"
-#include "frame/depth/heat_map.h"
+#include "frame/driver_depth.h"
 #include "geometry/plane.h"
 #include "state/params.h"
 #include "state/scene.h"
+#include "topics/depth/numbers/heat_map.h"
 
 namespace viewing {
 

@@ -4,10 +4,10 @@
 #include <cassert>
 #include <iterator>
 
-#include "frame/depth/decals.h"
-#include "frame/hidden/hidden_method.h"
 #include "state/fields.h"
 #include "text/catalogue.h"
+#include "topics/depth/numbers/decals.h"
+#include "topics/hidden/numbers/hidden_method.h"
 
 namespace viewing {
 namespace {

@@ -40,4 +40,7 @@ inline constexpr std::array<Color, 9> overdraw_colors = {{{0x12, 0x15, 0x1b},
                                                           {0xf2, 0xe2, 0x2e},
                                                           {0xff, 0xff, 0xff}}};
 
+/// Returns the linear value of an sRGB color.
+glm::vec3 linear_from_srgb(const Color& color);
+
 }  // namespace viewing

@@ -1,5 +1,5 @@
 // The strengths of the light that surfaces reflect: the shaders and the explanation of a pixel's color use the same
-// numbers. See shaders/surface.frag for the formula.
+// numbers. See shaders/surface_light.glsl for the formula.
 #pragma once
 
 namespace viewing {

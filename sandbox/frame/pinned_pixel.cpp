@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "frame/depth/fragments.h"
+#include "topics/depth/numbers/fragments.h"
 
 namespace viewing {
 namespace {

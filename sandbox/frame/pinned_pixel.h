@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 
 namespace viewing {
 
@@ -24,7 +24,7 @@ struct PinnedPixel {
 
 /// Finds the pinned pixel in the camera's frame `plan`, for a picture of this size. An object that is pinned without a
 /// position is pinned at its visible pixel nearest to the middle of its box. The computed fragments
-/// (frame/depth/fragments.h) decide visibility, on a grid of at most 33 × 33 pixels of the box.
+/// (topics/depth/numbers/fragments.h) decide visibility, on a grid of at most 33 × 33 pixels of the box.
 PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const FramePlan& plan, const Scene& scene,
                          glm::ivec2 size_px);
 

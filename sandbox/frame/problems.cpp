@@ -6,9 +6,8 @@
 #include "frame/cleared_code.h"
 #include "frame/depth_switches.h"
 #include "frame/effect.h"
-#include "frame/hidden/hidden_drawing.h"
-#include "frame/planes/drawn_mirrors.h"
 #include "frame/say.h"
+#include "topics/planes/numbers/drawn_mirrors.h"
 
 namespace viewing {
 namespace {

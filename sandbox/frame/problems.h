@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/plan.h"
-#include "frame/planes/image_reach.h"
+#include "frame/plan/plan.h"
+#include "topics/planes/numbers/image_reach.h"
 
 namespace viewing {
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <optional>
 
-#include "frame/depth/near_advice.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/words.h"
+#include "topics/depth/numbers/near_advice.h"
 
 namespace viewing {
 namespace {

@@ -1,4 +1,4 @@
-// A triangle mesh, shared by all folders: positions, normals, indices. Shapes and files create it, visibility/ sorts
+// A triangle mesh, shared by all folders: positions, normals, indices. Shapes and files create it, methods sort
 // it, render/ uploads it. Read shapes.h next.
 #pragma once
 

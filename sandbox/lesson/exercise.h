@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lesson/expression.h"
+#include "lesson/formulas/expression.h"
 #include "lesson/lesson.h"
 
 namespace viewing {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "lesson/expression.h"
+#include "lesson/formulas/expression.h"
 #include "lesson/lesson.h"
 
 namespace viewing {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "lesson/tree.h"
 #include "platform/shared_file.h"
 #include "text/words.h"

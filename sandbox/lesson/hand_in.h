@@ -1,5 +1,5 @@
 // A student's hand-in: one JSON file with every attempt, which people can read, too. Grading trusts only the student
-// number, the answers and the changes; the verdicts are for human readers. Read report/grading.h next.
+// number, the answers and the changes; the verdicts are for human readers. Read grading/grading.h next.
 #pragma once
 
 #include <optional>

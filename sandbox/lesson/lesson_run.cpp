@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 
 namespace viewing {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lesson/filled_text.h"
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 #include "lesson/votes.h"
 
 namespace viewing {

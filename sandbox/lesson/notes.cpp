@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lesson/judge.h"
 #include "lesson/lesson_run.h"
+#include "lesson/questions/judge.h"
 
 namespace viewing {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson/expression.h"
-#include "lesson/question_form.h"
+#include "lesson/formulas/expression.h"
+#include "lesson/questions/question_form.h"
 #include "lesson/target_names.h"
 #include "state/file/schema.h"
 #include "state/file/state_json.h"

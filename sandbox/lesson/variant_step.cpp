@@ -6,7 +6,7 @@
 
 #include "lesson/exercise.h"
 #include "lesson/filled_text.h"
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "lesson/step_reader.h"
 #include "lesson/variants.h"
 #include "text/words.h"

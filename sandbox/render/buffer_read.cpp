@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "frame/depth/depth_counts.h"
+#include "frame/depth_counts.h"
 #include "gl/dialect.h"
 #include "render/pass_state.h"
 

@@ -2,7 +2,7 @@
 // pixels that pass or fail the depth test. Works even if depth cannot be read back.
 #pragma once
 
-#include "frame/depth/driver_depth.h"
+#include "frame/driver_depth.h"
 #include "gl/objects.h"
 #include "gl/target.h"
 #include "text/result.h"

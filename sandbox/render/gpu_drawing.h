@@ -5,7 +5,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "frame/hidden/hidden_drawing.h"
+#include "frame/plan/hidden_pictures.h"
 #include "gl/objects.h"
 
 namespace viewing {

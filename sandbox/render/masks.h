@@ -4,7 +4,7 @@
 // color fills the pixels whose mask has changed.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/target.h"
 #include "render/present.h"
 #include "render/programs.h"

@@ -3,7 +3,7 @@
 // user interface. Read renderer.cpp next.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/objects.h"
 
 namespace viewing {

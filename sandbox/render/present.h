@@ -2,7 +2,7 @@
 // buffer_read.h for how to read their numbers.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/target.h"
 #include "render/programs.h"
 

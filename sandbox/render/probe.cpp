@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "frame/draw_calls.h"
+#include "frame/plan/draw_calls.h"
 
 namespace viewing {
 

@@ -6,6 +6,19 @@
 #include "render/shader_constants.h"
 
 namespace viewing {
+namespace {
+
+/// Returns a shader's text; for surface.frag, with its parts in the order in which they use each other.
+std::string source_of(std::string_view shader) {
+    if (shader != "surface.frag") return std::string(embedded_shader(shader));
+    std::string all;
+    for (const char* part : {"surface_point.glsl", "surface_light.glsl", "surface_heat.glsl", "surface_depth.glsl",
+                             "surface_mask.glsl", "surface.frag"})
+        all += embedded_shader(part);
+    return all;
+}
+
+}  // namespace
 
 void ShaderProgram::take(gl::Program linked) {
     program_ = std::move(linked);
@@ -31,7 +44,7 @@ std::vector<GLuint> ShaderProgram::programs() const {
 }
 
 Result<gl::Program> Programs::load(const char* vertex, const char* fragment, const std::string& defines) {
-    Result<gl::Program> made = gl::make_program(embedded_shader(vertex), embedded_shader(fragment),
+    Result<gl::Program> made = gl::make_program(source_of(vertex), source_of(fragment),
                                                 "#define AT(place)\n" + shader_constant_lines() + defines);
     if (!made) return Error{std::string(fragment) + ": " + made.error()};
     return made;
@@ -75,7 +88,7 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
     const Result<const gl::Program*> vertex = vertex_stage(of_both);
     if (!vertex) return Error{vertex.error()};
     Result<gl::Program> fragment =
-        gl::make_stage(GL_FRAGMENT_SHADER, embedded_shader("surface.frag"), shader_constant_lines() + defines);
+        gl::make_stage(GL_FRAGMENT_SHADER, source_of("surface.frag"), shader_constant_lines() + defines);
     if (!fragment) return Error{"surface.frag: " + fragment.error()};
     SurfaceProgram& made = surfaces_[kind];
     made.take(**vertex, *std::move(fragment));

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "frame/depth/depth_colors.h"
+#include "frame/depth_colors.h"
 #include "frame/ground.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/objects.h"
 #include "render/uniforms.h"
 #include "state/fields.h"

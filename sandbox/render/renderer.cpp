@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "frame/draw_calls.h"
 #include "frame/ground.h"
+#include "frame/plan/draw_calls.h"
 #include "geometry/shapes.h"
 #include "gl/dialect.h"
 #include "render/driver_depth_test.h"

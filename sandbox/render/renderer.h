@@ -3,9 +3,10 @@
 
 #include <memory>
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/objects.h"
 #include "gl/target.h"
+#include "image/id_image.h"
 #include "image/image.h"
 
 namespace viewing {

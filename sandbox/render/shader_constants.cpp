@@ -1,9 +1,9 @@
 #include "render/shader_constants.h"
 
-#include "frame/depth/depth_colors.h"
+#include "frame/depth_colors.h"
 #include "frame/ground.h"
 #include "frame/lighting.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "render/programs.h"
 #include "text/numbers.h"
 
@@ -54,7 +54,7 @@ constexpr ShaderConstant constants[] = {
     constant("OVERDRAW_COLORS", overdraw_colors.size()),
 };
 
-/// Whether the enumerator's value is the bit set of the relations for which the comparison passes, as surface.frag
+/// Whether the enumerator's value is the bit set of the relations for which the comparison passes, as surface_mask.glsl
 /// assumes.
 constexpr bool is_set_of(CompareFunc func, bool less, bool equal, bool greater) {
     return static_cast<int>(func) == (less ? static_cast<int>(CompareFunc::less) : 0) +

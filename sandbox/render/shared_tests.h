@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 
 namespace viewing {
 

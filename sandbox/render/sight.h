@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "geometry/mesh.h"
 
 namespace viewing {

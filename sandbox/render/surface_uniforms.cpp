@@ -31,8 +31,8 @@ void set_lights(const SurfaceProgram& program, const Pass& pass) {
     program.sky_world.set(pass.sky_world);
 }
 
-/// Sets the heat map; a plan without one has no pairs of surfaces to color. Read frame/depth/heat_map.h for its
-/// numbers.
+/// Sets the heat map; a plan without one has no pairs of surfaces to color. Read topics/depth/numbers/heat_map.h for
+/// its numbers.
 void set_heat(const SurfaceProgram& program, const FramePlan& plan, const Pass& pass) {
     program.heat_view_from_relative.set(pass.view_from_world * glm::inverse(moved_to_origin(relative_origin(pass))));
     program.heat_tones.set_first(srgb(heat_colors));

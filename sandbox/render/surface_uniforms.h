@@ -2,7 +2,7 @@
 // renderer.cpp next.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/target.h"
 #include "render/programs.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lesson/allowed.h"
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "lesson/variants.h"
 #include "platform/file.h"
 #include "text/words.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lesson/blend.h"
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "state/file/state_json.h"
 #include "state/scene.h"
 #include "text/catalogue.h"

@@ -5,10 +5,11 @@
 #include <optional>
 
 #include "state/closed_set.h"
-#include "visibility/choices.h"
+#include "topics/hidden/methods/choices.h"
 
-/// Applies ENTRY to the name of each hidden-surface method, spelled as in state files. frame/hidden/hidden_method.h
-/// declares an entry for each, which says what the method does and how it is named.
+/// Applies ENTRY to the name of each hidden-surface method, spelled as in state files.
+/// topics/hidden/numbers/hidden_method.h declares an entry for each, which says what the method does and how it is
+/// named.
 #define VIEWING_METHODS(ENTRY) \
     ENTRY(depth_buffer) ENTRY(none) ENTRY(painter) ENTRY(newell) ENTRY(bsp) ENTRY(software_depth_buffer) ENTRY(ray_cast)
 

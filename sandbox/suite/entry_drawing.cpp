@@ -1,19 +1,19 @@
 #include "suite/entry_drawing.h"
 
 #include "frame/finite.h"
-#include "frame/hidden/hidden_views.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/problems.h"
+#include "grading/exercise_picture.h"
 #include "platform/file.h"
 #include "report/as_json.h"
-#include "report/exercise_picture.h"
-#include "report/fighting_as_json.h"
 #include "report/matrices_report.h"
-#include "report/mirror_report.h"
-#include "report/order_report.h"
-#include "report/visibility_report.h"
 #include "state/file/state_json.h"
 #include "text/numbers.h"
+#include "topics/depth/measured/fighting_as_json.h"
+#include "topics/hidden/measured/order_report.h"
+#include "topics/hidden/measured/visibility_report.h"
+#include "topics/hidden/numbers/hidden_views.h"
+#include "topics/planes/measured/mirror_report.h"
 
 namespace viewing {
 namespace {

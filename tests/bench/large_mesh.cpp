@@ -3,10 +3,10 @@
 // lower views request. This program only reports; it never fails.
 #include <benchmark/benchmark.h>
 
-#include "frame/depth/near_advice.h"
 #include "frame/problems.h"
 #include "geometry/shapes.h"
 #include "state/file/state_json.h"
+#include "topics/depth/numbers/near_advice.h"
 
 namespace viewing {
 namespace {

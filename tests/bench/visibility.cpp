@@ -23,11 +23,11 @@
 #include "gl/egl_context.h"
 #include "gl/gl.h"
 #include "gl/target.h"
-#include "visibility/bsp.h"
-#include "visibility/growth.h"
-#include "visibility/newell.h"
-#include "visibility/ray_cast.h"
-#include "visibility/software_zbuffer.h"
+#include "topics/hidden/methods/bsp.h"
+#include "topics/hidden/methods/growth.h"
+#include "topics/hidden/methods/newell.h"
+#include "topics/hidden/methods/ray_cast.h"
+#include "topics/hidden/methods/software_zbuffer.h"
 
 namespace viewing {
 namespace {

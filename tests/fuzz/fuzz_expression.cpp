@@ -1,7 +1,7 @@
 // libFuzzer: evaluates arbitrary text as an expression in a lesson from an untrusted author. Evaluation must finish
 // quickly, with a value that can be written or with a one-sentence error.
 #include "fuzz.h"
-#include "lesson/expression.h"
+#include "lesson/formulas/expression.h"
 
 using namespace viewing;
 

@@ -4,10 +4,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "frame/why/why.h"
 #include "gl/gl_test.h"
 #include "platform/sanitized.h"
 #include "render/probe.h"
+#include "topics/why/numbers/why.h"
 
 namespace viewing {
 namespace {

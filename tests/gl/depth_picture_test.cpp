@@ -1,7 +1,7 @@
 // Tests the depth picture: which gray or which band shows a known depth, on both scales and over a range.
 #include <cmath>
 
-#include "frame/depth/depth_colors.h"
+#include "frame/depth_colors.h"
 #include "gl_test.h"
 
 namespace viewing {

@@ -1,6 +1,6 @@
 // A frame that stops at a draw call equals a frame without the later draw calls, and depths are not cleared while the
 // depth mask is off.
-#include "frame/draw_calls.h"
+#include "frame/plan/draw_calls.h"
 #include "gl_test.h"
 #include "unit/geometry/random.h"
 

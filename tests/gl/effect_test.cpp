@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "frame/hidden/hidden_views.h"
 #include "gl/gl_test.h"
 #include "state/fields.h"
 #include "state/presets.h"
+#include "topics/hidden/numbers/hidden_views.h"
 
 namespace viewing {
 namespace {

@@ -1,7 +1,7 @@
 // A scene far from the world's origin gives the same picture: lit surfaces must not become speckled where float32
 // lacks precision for world positions.
-#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
+#include "topics/hidden/numbers/hidden_views.h"
 
 namespace viewing {
 namespace {

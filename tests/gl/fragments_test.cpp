@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <map>
 
-#include "frame/depth/fragments.h"
-#include "frame/depth/reconcile.h"
-#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 #include "render/probe.h"
+#include "topics/depth/numbers/fragments.h"
+#include "topics/depth/numbers/reconcile.h"
+#include "topics/hidden/numbers/hidden_views.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "gl/debug.h"
 #include "gl/egl_context.h"
 #include "render/renderer.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
+#include "topics/hidden/methods/difference.h"
+#include "topics/hidden/numbers/hidden_views.h"
 #include "unit/frame/hidden_scenes.h"
-#include "visibility/difference.h"
 
 namespace viewing {
 namespace {

@@ -1,7 +1,7 @@
 // The fix of every broken preset visibly changes the picture, and a sentence reports what was broken. A busy state
 // draws without a GL error, whichever switch is changed. The reported reasons come from
-// frame/planes/shadow_problems.cpp and frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate
-// states.
+// topics/planes/numbers/shadow_problems.cpp and topics/planes/numbers/mirror_problems.cpp; planes_edges_test.cpp has
+// the degenerate states.
 #include "gl_test.h"
 #include "state/presets.h"
 

@@ -1,7 +1,7 @@
 // Where surfaces fight, a pixel's fragments are reconciled with the values read back. After that, the last fragment in
 // the list that was drawn is the visible one, and rounding is blamed only where the computed list had a different
 // winner.
-#include "frame/depth/reconcile.h"
+#include "topics/depth/numbers/reconcile.h"
 
 #include <bit>
 #include <cmath>

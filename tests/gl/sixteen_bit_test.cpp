@@ -2,9 +2,9 @@
 // values and polygon IDs as a real stencil with 24-bit depth. VIEWING_LONG_TESTS=N compares N times as many states.
 #include <cstdlib>
 
-#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 #include "render/probe.h"
+#include "topics/hidden/numbers/hidden_views.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {

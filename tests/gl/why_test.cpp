@@ -5,14 +5,14 @@
 #include <map>
 #include <random>
 
-#include "frame/hidden/hidden_views.h"
-#include "frame/why/why.h"
 #include "gl/gl_test.h"
 #include "gl/planes_room.h"
-#include "measure/camera_picture.h"
 #include "platform/sanitized.h"
 #include "render/probe.h"
 #include "state/presets.h"
+#include "topics/hidden/measured/camera_picture.h"
+#include "topics/hidden/numbers/hidden_views.h"
+#include "topics/why/numbers/why.h"
 #include "unit/state/random_params.h"
 
 namespace viewing {

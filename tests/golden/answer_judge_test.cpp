@@ -8,11 +8,11 @@
 
 #include "app/studio.h"
 #include "gl/gl_test.h"
+#include "grading/grading.h"
+#include "grading/state_numbers.h"
 #include "lesson/exercise.h"
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 #include "platform/file.h"
-#include "report/grading.h"
-#include "report/state_numbers.h"
 
 namespace viewing {
 namespace {

@@ -1,6 +1,6 @@
 // Tests how much it may cost to grade one hand-in, and what happens when time runs out halfway. The tests count judged
 // answers and measure no time. They need no reference pictures.
-#include "report/grading.h"
+#include "grading/grading.h"
 
 #include <set>
 

@@ -3,7 +3,7 @@
 // each frame is derived and planned once. The test needs no reference pictures.
 #include "app/studio.h"
 #include "gl/gl_test.h"
-#include "measure/camera_picture.h"
+#include "topics/hidden/measured/camera_picture.h"
 #include "ui/window/theme.h"
 
 // The linker redirects calls from other source files to the functions below (--wrap in CMakeLists.txt).

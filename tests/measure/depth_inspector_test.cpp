@@ -1,6 +1,6 @@
 // The values read for the lower views equal those that a fresh probe reads at each step, and are never older than the
 // picture.
-#include "measure/depth_inspector.h"
+#include "topics/depth/measured/depth_inspector.h"
 
 #include <numeric>
 

@@ -1,12 +1,12 @@
 // Counts computed in the background equal synchronous counts, whenever they arrive. Nothing starts while the user holds
 // a control, and results from an earlier state are marked as such.
-#include "measure/fighting_counter.h"
+#include "topics/depth/measured/fighting_counter.h"
 
 #include <thread>
 
 #include "gl/gl_test.h"
-#include "measure/fighting_measure.h"
 #include "state/presets.h"
+#include "topics/depth/measured/fighting_measure.h"
 
 namespace viewing {
 namespace {

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "gl/gl_test.h"
-#include "measure/fighting_measure.h"
-#include "measure/minimum_gap.h"
 #include "state/presets.h"
+#include "topics/depth/measured/fighting_measure.h"
+#include "topics/depth/measured/minimum_gap.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {

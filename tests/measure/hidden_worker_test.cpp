@@ -1,6 +1,6 @@
 // Methods computed in the background: the final answer is correct, canceled work is reported, and no request stays
 // pending.
-#include "measure/hidden_worker.h"
+#include "topics/hidden/measured/hidden_worker.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 #include <thread>
 
-#include "frame/hidden/scene_surface.h"
 #include "state/file/state_json.h"
+#include "topics/hidden/numbers/scene_surface.h"
 
 namespace viewing {
 namespace {

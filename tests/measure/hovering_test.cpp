@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "gl/gl_test.h"
-#include "measure/depth_inspector.h"
 #include "state/presets.h"
+#include "topics/depth/measured/depth_inspector.h"
 
 namespace viewing {
 namespace {

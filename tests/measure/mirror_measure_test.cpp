@@ -1,6 +1,6 @@
 // Draws a mirror image with GL in all four ways and compares their effect on the picture and on the depths, with every
 // kind of depth buffer. Also tests the case without an image.
-#include "measure/mirror_measure.h"
+#include "topics/planes/measured/mirror_measure.h"
 
 #include "frame/ground.h"
 #include "gl/gl_test.h"

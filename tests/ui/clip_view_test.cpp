@@ -1,8 +1,8 @@
 // The lower view Clip space: its slider leads from eye space to NDC, and dragging elsewhere in the picture rotates the
 // view.
 #include "desk.h"
-#include "frame/clip_space.h"
 #include "recorded_letters.h"
+#include "topics/camera/numbers/clip_space.h"
 #include "ui/parts/topics.h"
 
 namespace viewing::test {

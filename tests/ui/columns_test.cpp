@@ -5,7 +5,7 @@
 #include <random>
 
 #include "desk.h"
-#include "ui/matrices/matrices.h"
+#include "topics/matrices/shown/matrices.h"
 
 namespace viewing::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "desk.h"
-#include "frame/why/why.h"
+#include "topics/why/numbers/why.h"
 #include "ui/views/lower_view.h"
 
 namespace viewing::test {

@@ -4,13 +4,13 @@
 #include <map>
 
 #include "desk.h"
-#include "frame/depth/fragment_text.h"
-#include "frame/depth/fragments.h"
-#include "frame/draw_calls.h"
-#include "ui/depth/cell_layout.h"
-#include "ui/depth/cell_view.h"
-#include "ui/depth/draw_steps.h"
-#include "ui/depth/pixel_view.h"
+#include "frame/plan/draw_calls.h"
+#include "topics/depth/numbers/fragment_text.h"
+#include "topics/depth/numbers/fragments.h"
+#include "topics/depth/shown/cell_layout.h"
+#include "topics/depth/shown/cell_view.h"
+#include "topics/depth/shown/draw_steps.h"
+#include "topics/depth/shown/pixel_view.h"
 #include "ui/window/theme.h"
 
 namespace viewing::test {

@@ -1,5 +1,5 @@
 // The derivations as lists of lines: their numbers are right, and each step shows one more line.
-#include "ui/planes/derivation_lines.h"
+#include "topics/planes/shown/derivation_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "desk.h"
-#include "ui/planes/derivation_lines.h"
+#include "topics/planes/shown/derivation_lines.h"
 
 namespace viewing::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "desk.h"
-#include "report/state_numbers.h"
+#include "grading/state_numbers.h"
 
 namespace viewing::test {
 

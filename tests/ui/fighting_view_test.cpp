@@ -1,6 +1,6 @@
 // Tests the depth fighting view in its own window, with reports made here: its texts, and the columns that it drops
 // when it is narrow. Everything must stay inside the view.
-#include "ui/depth/fighting_view.h"
+#include "topics/depth/shown/fighting_view.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The texts of the pixel view and the cell view, without drawing them: the outcome of each test in words, the numbers
 // in cells, and the steps.
-#include "frame/depth/fragment_text.h"
+#include "topics/depth/numbers/fragment_text.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <set>
 
 #include "state/compare_func.h"
-#include "ui/depth/cell_text.h"
-#include "ui/depth/draw_steps.h"
-#include "ui/depth/pixel_numbers.h"
+#include "topics/depth/shown/cell_text.h"
+#include "topics/depth/shown/draw_steps.h"
+#include "topics/depth/shown/pixel_numbers.h"
 
 namespace viewing {
 namespace {

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "desk.h"
-#include "visibility/difference.h"
+#include "topics/hidden/methods/difference.h"
 
 namespace viewing::test {
 namespace {

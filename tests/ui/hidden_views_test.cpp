@@ -6,9 +6,9 @@
 #include <set>
 
 #include "hidden_desk.h"
-#include "ui/hidden/order_rows.h"
-#include "ui/hidden/polygon_names.h"
-#include "ui/hidden/step_text.h"
+#include "topics/hidden/shown/order_rows.h"
+#include "topics/hidden/shown/polygon_names.h"
+#include "topics/hidden/shown/step_text.h"
 
 namespace viewing::test {
 namespace {

@@ -1,5 +1,5 @@
 // The comparison of four ways to draw a mirror image: the captions on the pictures, and which way a click selects.
-#include "ui/planes/mirror_ways_view.h"
+#include "topics/planes/shown/mirror_ways_view.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Stepping through the frame pass by pass: the bar, the list, and the value of view.pass. gl/pass_limit_test.cpp tests
 // what GL draws up to a pass.
-#include "ui/planes/passes_view.h"
+#include "topics/planes/shown/passes_view.h"
 
 #include <algorithm>
 

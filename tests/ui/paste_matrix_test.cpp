@@ -2,7 +2,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "desk.h"
-#include "frame/matrix_text.h"
+#include "topics/matrices/numbers/matrix_text.h"
 
 namespace viewing::test {
 namespace {

@@ -2,8 +2,8 @@
 // row goes to its step, and both levels of steps lead to the right place.
 #include <algorithm>
 
-#include "frame/hidden/step_groups.h"
 #include "hidden_desk.h"
+#include "topics/hidden/numbers/step_groups.h"
 
 namespace viewing::test {
 namespace {

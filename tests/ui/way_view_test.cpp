@@ -1,9 +1,9 @@
 // The lower view "The path of a point": its slider and its play button move the point, and the user can drag the point.
-#include "ui/views/way_view.h"
+#include "topics/camera/shown/way_view.h"
 
 #include "desk.h"
-#include "frame/clip_space.h"
 #include "recorded_letters.h"
+#include "topics/camera/numbers/clip_space.h"
 #include "ui/parts/topics.h"
 
 namespace viewing::test {

@@ -13,12 +13,12 @@
 #include "app/browser/keys.h"
 #include "app/browser/open_page.h"
 #include "app/pictures_to_files.h"
-#include "frame/matrix_text.h"
 #include "platform/browser/standstill.h"
 #include "state/file/link.h"
 #include "state/person/language.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
+#include "topics/matrices/numbers/matrix_text.h"
 
 EM_JS(void, page_tell_trouble, (const char* text), { page.tellTrouble(UTF8ToString(text)); });
 EM_JS(void, page_wake, (), { page.wake(); });

@@ -13,7 +13,6 @@
 #include "gl/gl.h"
 #include "image/image_size.h"
 #include "image/png.h"
-#include "measure/camera_picture.h"
 #include "platform/file.h"
 #include "platform/text_file.h"
 #include "report/matrices_report.h"
@@ -22,6 +21,7 @@
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
+#include "topics/hidden/measured/camera_picture.h"
 
 namespace viewing {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
+#include "grading/lesson_numbers.h"
 #include "platform/file.h"
-#include "report/lesson_numbers.h"
 
 namespace viewing {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "frame/explain/fault_words.h"
-#include "frame/look_at_text.h"
 #include "report/as_json.h"
 #include "text/numbers.h"
+#include "topics/matrices/numbers/fault_words.h"
+#include "topics/matrices/numbers/look_at_text.h"
 
 namespace viewing {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "frame/explain/explain_matrix.h"
-#include "frame/explain/pasted_matrix.h"
 #include "state/file/document.h"
+#include "topics/matrices/numbers/explain_matrix.h"
+#include "topics/matrices/numbers/pasted_matrix.h"
 
 namespace viewing {
 

@@ -10,7 +10,7 @@
 #include "cli/results/grade_tables.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
-#include "lesson/typed_matrix.h"
+#include "lesson/questions/typed_matrix.h"
 #include "state/person/language.h"
 #include "text/catalogue.h"
 #include "text/html.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/headless.h"
-#include "report/grading.h"
+#include "grading/grading.h"
 
 namespace viewing {
 

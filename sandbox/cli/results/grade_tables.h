@@ -1,12 +1,12 @@
 // Grades as tables: for a terminal, for a spreadsheet, or for another program. Text from hand-ins goes through
-// printable(). Read report/grading.h first.
+// printable(). Read grading/grading.h first.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "cli/results/hand_in_files.h"
-#include "report/grading.h"
+#include "grading/grading.h"
 
 namespace viewing {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "lesson/question_kind.h"
-#include "lesson/typed_matrix.h"
-#include "lesson/typed_number.h"
+#include "lesson/formulas/typed_number.h"
+#include "lesson/questions/question_kind.h"
+#include "lesson/questions/typed_matrix.h"
 #include "text/catalogue.h"
 #include "ui/lesson/answer_input.h"
 #include "ui/lesson/lesson_text.h"

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "lesson/typed_matrix.h"
+#include "lesson/questions/typed_matrix.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/lesson/page.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "text/catalogue.h"
 #include "ui/lesson/answers.h"
 #include "ui/lesson/feedback.h"

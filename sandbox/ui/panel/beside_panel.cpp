@@ -5,7 +5,7 @@
 #include "state/file/beside.h"
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
-#include "ui/depth/depth_panel.h"
+#include "topics/depth/shown/depth_panel.h"
 #include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <string>
 
-#include "frame/hidden/hidden_method.h"
 #include "text/catalogue.h"
-#include "ui/depth/depth_panel.h"
+#include "topics/camera/shown/projection_section.h"
+#include "topics/depth/shown/depth_panel.h"
+#include "topics/hidden/numbers/hidden_method.h"
+#include "topics/planes/shown/shadow_panel.h"
 #include "ui/panel/beside_panel.h"
-#include "ui/panel/projection_section.h"
 #include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
-#include "ui/planes/shadow_panel.h"
 
 namespace viewing {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "frame/problems.h"
 #include "session/session.h"
-#include "ui/hidden/hidden_panel.h"
-#include "ui/panel/camera_tab.h"
+#include "topics/camera/shown/camera_tab.h"
+#include "topics/hidden/shown/hidden_panel.h"
 
 namespace viewing {
 

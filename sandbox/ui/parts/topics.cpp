@@ -1,6 +1,6 @@
 #include "ui/parts/topics.h"
 
-#include "frame/hidden/hidden_method.h"
+#include "topics/hidden/numbers/hidden_method.h"
 
 namespace viewing {
 namespace {

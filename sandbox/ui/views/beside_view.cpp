@@ -5,7 +5,7 @@
 #include "state/file/beside.h"
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
-#include "ui/depth/depth_views.h"
+#include "topics/depth/shown/depth_views.h"
 #include "ui/parts/look.h"
 #include "ui/parts/setting_words.h"
 #include "ui/parts/view_parts.h"

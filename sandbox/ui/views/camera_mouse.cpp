@@ -6,7 +6,7 @@
 #include "state/fields.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
-#include "ui/hidden/hidden_overlay.h"
+#include "topics/hidden/shown/hidden_overlay.h"
 #include "ui/parts/look.h"
 #include "ui/views/lower_view.h"
 

@@ -2,18 +2,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/depth/depth_colors.h"
+#include "frame/depth_colors.h"
 #include "state/fields.h"
 #include "state/file/beside.h"
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
-#include "ui/depth/depth_views.h"
-#include "ui/hidden/hidden_overlay.h"
+#include "topics/depth/shown/depth_views.h"
+#include "topics/hidden/shown/hidden_overlay.h"
+#include "topics/planes/shown/derivation_views.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
 #include "ui/parts/view_parts.h"
-#include "ui/planes/derivation_views.h"
 #include "ui/views/beside_view.h"
 #include "ui/views/views.h"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "frame/derive.h"
-#include "frame/planes/outline.h"
 #include "session/session.h"
+#include "topics/planes/numbers/outline.h"
 #include "ui/parts/overlay.h"
 
 namespace viewing {

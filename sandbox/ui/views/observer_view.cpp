@@ -5,10 +5,10 @@
 
 #include "state/fields.h"
 #include "text/catalogue.h"
-#include "ui/hidden/hidden_overlay.h"
+#include "topics/hidden/shown/hidden_overlay.h"
+#include "topics/planes/shown/derivation_views.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
-#include "ui/planes/derivation_views.h"
 #include "ui/views/lower_view.h"
 #include "ui/views/observer_parts.h"
 #include "ui/views/outside.h"

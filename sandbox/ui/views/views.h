@@ -6,21 +6,21 @@
 #include <optional>
 #include <string>
 
-#include "frame/depth/depth_data.h"
 #include "frame/pinned_pixel.h"
 #include "frame/problems.h"
 #include "session/session.h"
 #include "state/person/mouse_habits.h"
-#include "ui/depth/cell_view.h"
-#include "ui/hidden/hidden_state.h"
+#include "topics/depth/numbers/depth_data.h"
+#include "topics/depth/shown/cell_view.h"
+#include "topics/hidden/shown/hidden_state.h"
+#include "topics/planes/shown/mirror_ways_view.h"
+#include "topics/planes/shown/passes_view.h"
+#include "topics/why/shown/why_view.h"
 #include "ui/parts/handles.h"
 #include "ui/parts/input.h"
 #include "ui/parts/stage.h"
 #include "ui/parts/topics.h"
-#include "ui/planes/mirror_ways_view.h"
-#include "ui/planes/passes_view.h"
 #include "ui/views/observer_parts.h"
-#include "ui/why/why_view.h"
 
 namespace viewing {
 

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "lesson/question_kind.h"
+#include "lesson/questions/question_kind.h"
 #include "platform/file.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"

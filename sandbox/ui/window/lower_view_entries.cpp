@@ -5,20 +5,20 @@
 #include <vector>
 
 #include "text/catalogue.h"
-#include "ui/depth/cell_bar.h"
-#include "ui/depth/depth_views.h"
-#include "ui/depth/fighting_view.h"
-#include "ui/depth/pixel_view.h"
-#include "ui/depth/precision_view.h"
-#include "ui/matrices/display_code_view.h"
+#include "topics/depth/shown/cell_bar.h"
+#include "topics/depth/shown/depth_views.h"
+#include "topics/depth/shown/fighting_view.h"
+#include "topics/depth/shown/pixel_view.h"
+#include "topics/depth/shown/precision_view.h"
+#include "topics/matrices/shown/display_code_view.h"
+#include "topics/planes/shown/derivation_views.h"
+#include "topics/planes/shown/lecture_code_view.h"
+#include "topics/planes/shown/mirror_ways_view.h"
+#include "topics/planes/shown/passes_view.h"
+#include "topics/why/shown/why_view.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
-#include "ui/planes/derivation_views.h"
-#include "ui/planes/lecture_code_view.h"
-#include "ui/planes/mirror_ways_view.h"
-#include "ui/planes/passes_view.h"
 #include "ui/views/lower_view.h"
-#include "ui/why/why_view.h"
 
 namespace viewing {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "frame/explain/fault_words.h"
-#include "frame/explain/take_matrix.h"
 #include "state/file/link.h"
 #include "text/catalogue.h"
+#include "topics/matrices/numbers/fault_words.h"
+#include "topics/matrices/numbers/take_matrix.h"
 #include "ui/parts/look.h"
 #include "ui/window/dialogs.h"
 

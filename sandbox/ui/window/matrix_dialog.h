@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "frame/explain/explain_matrix.h"
-#include "frame/explain/pasted_matrix.h"
 #include "session/session.h"
+#include "topics/matrices/numbers/explain_matrix.h"
+#include "topics/matrices/numbers/pasted_matrix.h"
 
 namespace viewing {
 

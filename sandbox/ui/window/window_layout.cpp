@@ -5,8 +5,8 @@
 
 #include "lesson/target_names.h"
 #include "state/fields.h"
-#include "ui/matrices/display_code_view.h"
-#include "ui/matrices/followed_point.h"
+#include "topics/matrices/shown/display_code_view.h"
+#include "topics/matrices/shown/followed_point.h"
 #include "ui/views/lower_view.h"
 
 namespace viewing {

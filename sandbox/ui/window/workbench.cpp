@@ -6,8 +6,8 @@
 
 #include "text/catalogue.h"
 #include "text/words.h"
+#include "topics/matrices/shown/followed_point.h"
 #include "ui/lesson/strip.h"
-#include "ui/matrices/followed_point.h"
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/views/lower_view.h"

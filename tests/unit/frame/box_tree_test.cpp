@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "frame/box_form.h"
-#include "frame/depth/near_advice.h"
 #include "frame/object_reach.h"
 #include "geometry/projection.h"
+#include "topics/depth/numbers/near_advice.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

@@ -2,10 +2,10 @@
 // the picture, and no matrix breaks the program.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "frame/explain/take_matrix.h"
 #include "frame/matrix_facts.h"
 #include "geometry/camera.h"
 #include "state/file/state_json.h"
+#include "topics/matrices/numbers/take_matrix.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

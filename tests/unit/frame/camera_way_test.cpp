@@ -1,5 +1,5 @@
 // Checks the followed point's path into the picture against GLM's projection and the definition of the clip volume.
-#include "frame/camera_way.h"
+#include "topics/camera/numbers/camera_way.h"
 
 #include <gtest/gtest.h>
 

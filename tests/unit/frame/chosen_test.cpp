@@ -1,6 +1,6 @@
 // The chosen plane and light: all results equal those of a state with only that plane and that light.
 #include "frame/animation.h"
-#include "frame/planes/derivation.h"
+#include "topics/planes/numbers/derivation.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

@@ -1,6 +1,6 @@
 // The view "Clip space" leads from eye space to NDC by maps that keep straight lines straight and never turn space
 // inside out.
-#include "frame/clip_space.h"
+#include "topics/camera/numbers/clip_space.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

@@ -1,5 +1,5 @@
 // Cures for depth fighting: the new near distance, and the cures that are offered for a scene.
-#include "frame/depth/cures.h"
+#include "topics/depth/numbers/cures.h"
 
 #include "state/presets.h"
 #include "unit/frame/frame_test.h"

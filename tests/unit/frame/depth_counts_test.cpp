@@ -1,6 +1,6 @@
 // Compares the histogram of a depth buffer with depths that are converted to distances one by one, in double precision
 // and by formulas written out here.
-#include "frame/depth/depth_counts.h"
+#include "frame/depth_counts.h"
 
 #include <gtest/gtest.h>
 

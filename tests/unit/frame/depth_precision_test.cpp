@@ -1,5 +1,5 @@
 // Compares the steps and codes between near and far with worked examples and with counts.
-#include "frame/depth/depth_precision.h"
+#include "topics/depth/numbers/depth_precision.h"
 
 #include <algorithm>
 #include <bit>

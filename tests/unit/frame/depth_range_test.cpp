@@ -1,6 +1,6 @@
 // The depth picture's contrast range spans the nearest to the farthest corner of the scene. The expected ranges are
 // computed by hand for a camera that looks along −z.
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "unit/frame/frame_test.h"
 
 namespace viewing::testing {

@@ -1,6 +1,6 @@
 // Checks the derivations against worked examples, against geometry (lengths, ratios, planes) and against each other,
 // for any plane, light and point.
-#include "frame/planes/derivation.h"
+#include "topics/planes/numbers/derivation.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The lecture's display(): the test parses its code as a compiler would and multiplies its matrices.
-#include "frame/display_code.h"
+#include "topics/matrices/numbers/display_code.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The draw calls of a frame in GL's order, and stepping back through them one triangle at a time.
-#include "frame/draw_calls.h"
+#include "frame/plan/draw_calls.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // Diagnoses of pasted matrices: on random states, each kind of mistake is named correctly, and a correct matrix is
 // never reported as wrong. The matrices come from GLM and from the slides' formulas, written out here.
-#include "frame/explain/explain_matrix.h"
+#include "topics/matrices/numbers/explain_matrix.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "frame/explain/pasted_matrix.h"
+#include "topics/matrices/numbers/pasted_matrix.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {

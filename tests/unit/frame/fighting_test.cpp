@@ -1,8 +1,8 @@
 // Pairs of objects that can fight, and the gap at which the formulas predict fighting: worked examples, and properties
 // that hold for any lens.
-#include "frame/depth/fighting.h"
+#include "topics/depth/numbers/fighting.h"
 
-#include "frame/depth/pair_prediction.h"
+#include "topics/depth/numbers/pair_prediction.h"
 
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"

@@ -1,7 +1,7 @@
 // Checks the fragments that are found for a pixel without GL: their depths against values computed by hand, the depth
 // test against a distance-based simulation, and the triangles against those that a ray hits in world space. Also tests
 // culling, ties, and edges shared by two triangles.
-#include "frame/depth/fragments.h"
+#include "topics/depth/numbers/fragments.h"
 
 #include <algorithm>
 #include <bit>

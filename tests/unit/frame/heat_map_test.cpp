@@ -1,8 +1,8 @@
-// Checks the table that the heat map's shader reads against the formulas of frame/depth/fighting.h and worked examples.
-// Also checks its colors.
-#include "frame/depth/heat_map.h"
+// Checks the table that the heat map's shader reads against the formulas of topics/depth/numbers/fighting.h and worked
+// examples. Also checks its colors.
+#include "topics/depth/numbers/heat_map.h"
 
-#include "frame/depth/fighting.h"
+#include "topics/depth/numbers/fighting.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

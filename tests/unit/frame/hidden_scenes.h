@@ -2,9 +2,9 @@
 // and states that look at them. See also hidden_surfaces_test.cpp.
 #pragma once
 
-#include "frame/hidden/hidden_surfaces.h"
+#include "topics/hidden/numbers/hidden_surfaces.h"
 #include "unit/frame/frame_test.h"
-#include "unit/visibility/scenes.h"
+#include "unit/methods/scenes.h"
 
 namespace viewing::testing {
 

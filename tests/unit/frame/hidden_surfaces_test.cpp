@@ -1,14 +1,14 @@
 // The methods as the frame uses them: the meaning of an order and a counter, caching between requests, and nearly empty
-// input. The tests in unit/visibility check that the methods are correct. See also hidden_steps_test.cpp.
+// input. The tests in unit/methods check that the methods are correct. See also hidden_steps_test.cpp.
 #include <algorithm>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <numeric>
 #include <set>
 
-#include "frame/hidden/hidden_views.h"
 #include "geometry/shapes.h"
+#include "topics/hidden/methods/difference.h"
+#include "topics/hidden/numbers/hidden_views.h"
 #include "unit/frame/hidden_scenes.h"
-#include "visibility/difference.h"
 
 namespace viewing {
 namespace {

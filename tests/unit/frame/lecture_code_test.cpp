@@ -1,7 +1,7 @@
 // Runs the lecture's code: a small parser for C expressions evaluates every line and fills an array of sixteen numbers.
 // The array is read column by column, as GL does, and compared with S and R, which are defined by their effect on
 // points.
-#include "frame/planes/lecture_code.h"
+#include "topics/planes/numbers/lecture_code.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The text of a matrix: the order of its entries, its full precision, and entries that are NaN or infinite.
-#include "frame/matrix_text.h"
+#include "topics/matrices/numbers/matrix_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The parameters of each way of mirroring.
-#include "frame/planes/mirror_ways.h"
+#include "topics/planes/numbers/mirror_ways.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Checks the distances in view against random points on the triangles. Also checks the advice to change near.
-#include "frame/depth/near_advice.h"
+#include "topics/depth/numbers/near_advice.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // For an image whose near plane is the mirror, checks the depth steps against small moves along each view ray.
-#include "frame/planes/oblique_depth.h"
+#include "topics/planes/numbers/oblique_depth.h"
 
 #include <gtest/gtest.h>
 

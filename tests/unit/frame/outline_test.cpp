@@ -1,6 +1,6 @@
 // The outline that a light sees: worked examples with boxes, then a brute-force check that it contains every vertex's
 // shadow.
-#include "frame/planes/outline.h"
+#include "topics/planes/numbers/outline.h"
 
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"

@@ -2,7 +2,7 @@
 // difference views. See tests/gl/hidden_test.cpp for the pictures.
 #include <algorithm>
 
-#include "frame/hidden/hidden_views.h"
+#include "topics/hidden/numbers/hidden_views.h"
 #include "unit/frame/hidden_scenes.h"
 
 namespace viewing {

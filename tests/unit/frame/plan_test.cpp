@@ -1,6 +1,6 @@
 // The technique as data: the passes, the one field of one pass that each switch changes, and the invariants of every
 // state.
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 
 #include <algorithm>
 #include <map>

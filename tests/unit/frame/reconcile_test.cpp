@@ -1,6 +1,6 @@
 // Handmade fragments are reconciled with a pixel read back. The tests check which surface is visible afterward and
 // which fragments stay unchanged.
-#include "frame/depth/reconcile.h"
+#include "topics/depth/numbers/reconcile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The two levels of a method's steps, the steps that touch a pixel, and the small raster. Each is compared with a
 // method run step by step or with rays traced one by one.
-#include "frame/hidden/step_groups.h"
+#include "topics/hidden/numbers/step_groups.h"
 
 #include <algorithm>
 #include <set>
 
-#include "frame/hidden/hidden_drawing.h"
+#include "topics/hidden/numbers/hidden_drawing.h"
 #include "unit/frame/hidden_scenes.h"
 
 namespace viewing {

@@ -1,11 +1,11 @@
 // A pasted V, C or P replaces the state's own: it survives a round trip through text in every syntax, and each known
 // fault is fixed.
-#include "frame/explain/take_matrix.h"
+#include "topics/matrices/numbers/take_matrix.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "frame/explain/pasted_matrix.h"
-#include "frame/matrix_text.h"
+#include "topics/matrices/numbers/matrix_text.h"
+#include "topics/matrices/numbers/pasted_matrix.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

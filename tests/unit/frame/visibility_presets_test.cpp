@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "frame/hidden/hidden_views.h"
 #include "state/presets.h"
 #include "state/scene.h"
-#include "visibility/bsp.h"
-#include "visibility/difference.h"
-#include "visibility/newell.h"
-#include "visibility/painter.h"
-#include "visibility/ray_cast.h"
-#include "visibility/software_zbuffer.h"
+#include "topics/hidden/methods/bsp.h"
+#include "topics/hidden/methods/difference.h"
+#include "topics/hidden/methods/newell.h"
+#include "topics/hidden/methods/painter.h"
+#include "topics/hidden/methods/ray_cast.h"
+#include "topics/hidden/methods/software_zbuffer.h"
+#include "topics/hidden/numbers/hidden_views.h"
 
 namespace viewing {
 namespace {

@@ -1,10 +1,10 @@
 // Whatever a frame computes is the same in every language, and is said in the current one.
 #include <gtest/gtest.h>
 
-#include "frame/depth/cures.h"
-#include "frame/depth/near_advice.h"
-#include "frame/why/why.h"
 #include "state/person/language.h"
+#include "topics/depth/numbers/cures.h"
+#include "topics/depth/numbers/near_advice.h"
+#include "topics/why/numbers/why.h"
 #include "unit/frame/frame_test.h"
 
 namespace viewing {

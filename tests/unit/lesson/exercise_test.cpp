@@ -9,7 +9,7 @@
 #include <iterator>
 #include <set>
 
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 #include "lesson/variants.h"
 #include "state/scene.h"
 #include "unit/lesson/has.h"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "lesson/expression.h"
+#include "lesson/formulas/expression.h"
 #include "platform/sanitized.h"
 #include "text/words.h"
 

@@ -1,9 +1,9 @@
 // Expressions of lesson files: their values, checked against numbers computed by hand, and proof that none can do harm.
-#include "lesson/expression.h"
+#include "lesson/formulas/expression.h"
 
 #include <gtest/gtest.h>
 
-#include "lesson/names.h"
+#include "lesson/formulas/names.h"
 
 namespace viewing {
 namespace {

@@ -1,5 +1,5 @@
 // Answers that are right, wrong in a known way, or just wrong; and one student's run through a lesson.
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 
 #include <gtest/gtest.h>
 

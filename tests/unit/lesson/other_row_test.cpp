@@ -1,6 +1,6 @@
 // A wrong row of R or S that would be right for another plane or light. The rows are computed from the images of
 // points, not from R's and S's formulas.
-#include "lesson/other_row.h"
+#include "lesson/questions/other_row.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 #include <random>
 
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 
 namespace viewing {
 namespace {

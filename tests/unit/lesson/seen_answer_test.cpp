@@ -1,5 +1,5 @@
 // Answers that can be read off the window before the question is answered, in texts placed by hand.
-#include "lesson/seen_answer.h"
+#include "lesson/questions/seen_answer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Answers that are a matrix: products of tiles, and the state that shows a product.
-#include "lesson/typed_matrix.h"
+#include "lesson/questions/typed_matrix.h"
 
 #include <gtest/gtest.h>
 

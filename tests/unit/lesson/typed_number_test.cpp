@@ -1,5 +1,5 @@
 // Input that students type into a number field.
-#include "lesson/typed_number.h"
+#include "lesson/formulas/typed_number.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <thread>
 
-#include "lesson/judge.h"
+#include "lesson/questions/judge.h"
 #include "lesson/variants.h"
 #include "platform/shared_file.h"
 #include "platform/text_file.h"

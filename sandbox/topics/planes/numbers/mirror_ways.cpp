@@ -1,0 +1,22 @@
+#include "topics/planes/numbers/mirror_ways.h"
+
+#include "text/catalogue.h"
+
+namespace viewing {
+
+Params mirrored_in(Params params, MirrorWay way) {
+    ReflectionParams& reflection = params.reflection;
+    reflection.clip = way == MirrorWay::none      ? MirrorClip::none
+                      : way == MirrorWay::oblique ? MirrorClip::oblique
+                                                  : MirrorClip::clip_distance;
+    reflection.mirrored = way == MirrorWay::camera ? MirroredThing::camera : MirroredThing::scene;
+    return params;
+}
+
+const char* name_of(MirrorWay way) {
+    static constexpr const char* names[] = {marked("clip distance"), marked("no clipping"),
+                                            marked("oblique near plane"), marked("mirrored camera")};
+    return names[static_cast<std::size_t>(way)];
+}
+
+}  // namespace viewing
