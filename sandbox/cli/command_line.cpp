@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/file_forms.h"
 #include "gl/egl_context.h"
 #include "state/presets.h"
 #include "text/manual.h"
@@ -82,9 +83,11 @@ void refuse_what_is_not_utf8(const Arguments& arguments) {
                                                      ": not UTF-8, which all results use; rename the file");
 }
 
-/// Returns a topic of the manual.
+/// Returns a topic of the manual; if a command has the same name, the last line says where its options are.
 std::string help_on(const std::string& topic) {
-    const std::string text = manual_text(topic);
+    const std::string text = manual_text(manual_page(topic));
+    if (!text.empty() && find_command(topic) != nullptr)
+        return text + "\nThe command's options: viewing-sandbox " + topic + " --help\n";
     if (!text.empty()) return text;
     const std::span<const char* const> topics = manual_topics();
     throw Failure(ExitStatus::bad_input,
@@ -94,7 +97,7 @@ std::string help_on(const std::string& topic) {
 ExitStatus dispatch(const Arguments& arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
     const Arguments rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
-    if (first == "help" && !rest.empty() && find_command(rest.front()) != nullptr)
+    if (first == "help" && !rest.empty() && manual_topic(rest.front()).empty() && find_command(rest.front()) != nullptr)
         return dispatch({rest.front(), "--help"});
     if (first == "help" && !rest.empty()) {
         print(help_on(rest.front()));

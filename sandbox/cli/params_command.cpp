@@ -1,15 +1,11 @@
 // params: prints every field of the state from the list in state/fields.cpp, or the JSON Schema of a file format.
-#include <array>
-
 #include "cli/commands.h"
 #include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "lesson/exercise.h"
-#include "lesson/hand_in.h"
+#include "cli/results/file_forms.h"
 #include "state/file/schema.h"
 #include "state/file/state_json.h"
-#include "suite/suite.h"
 
 namespace viewing {
 namespace {
@@ -23,11 +19,12 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
                  "or flight files");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    constexpr std::array formats{"json",           "text",          "schema",         "scene-schema",
-                                 "suite-schema",   "lesson-schema", "lecture-schema", "exercise-schema",
-                                 "hand-in-schema", "flight-schema"};
-    constexpr std::array lists{params_as_json, params_as_text, state_schema,    scene_schema,   suite_schema,
-                               lesson_schema,  lecture_schema, exercise_schema, hand_in_schema, flight_schema};
+    std::vector<const char*> formats{"json", "text", "schema"};
+    std::vector<std::string (*)()> lists{params_as_json, params_as_text, state_schema};
+    for (const FileForm& form : file_forms()) {
+        formats.push_back(form.format);
+        lists.push_back(form.schema);
+    }
     std::string listed = lists[choice_option(options, "--format", format.value_or("json"), formats)]();
     if (!listed.ends_with('\n')) listed += '\n';
     print(listed);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "text/manual.h"
+#include "cli/results/file_forms.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -57,7 +57,7 @@ void describe_command(std::string& page, const Command& command) {
 /// Adds a topic of the manual; its title becomes the title of the section.
 void describe_topic(std::string& page, const char* topic) {
     bool is_title = true;
-    for (const ManualBlock& block : manual_topic(topic)) {
+    for (const ManualBlock& block : manual_page(topic)) {
         const std::string& text = block.cells.front();
         switch (block.part) {
             case ManualPart::heading:

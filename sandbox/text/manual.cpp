@@ -140,8 +140,7 @@ std::vector<ManualBlock> manual_topic(std::string_view name) {
     return manual_blocks(embedded_manual(std::string(name) + ".md"));
 }
 
-std::string manual_text(std::string_view name) {
-    const std::vector<ManualBlock> blocks = manual_topic(name);
+std::string manual_text(std::span<const ManualBlock> blocks) {
     std::string text;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const ManualBlock& block = blocks[i];
@@ -150,7 +149,7 @@ std::string manual_text(std::string_view name) {
         if (block.part == ManualPart::row) {
             std::size_t end = i;
             while (end < blocks.size() && blocks[end].part == ManualPart::row) ++end;
-            text += table_text(std::span(blocks).subspan(i, end - i));
+            text += table_text(blocks.subspan(i, end - i));
             i = end - 1;
         } else if (block.part == ManualPart::code) {
             text += "    " + block.cells.front() + "\n";

@@ -27,7 +27,7 @@ std::vector<ManualBlock> manual_blocks(std::string_view markdown);
 /// Returns the blocks of a topic; the first is its title. Empty for an unknown name.
 std::vector<ManualBlock> manual_topic(std::string_view name);
 
-/// Returns a topic for a terminal, in lines of at most 100 characters; code and tables keep their lines.
-std::string manual_text(std::string_view name);
+/// Returns the blocks for a terminal, in lines of at most 100 characters; code keeps its lines.
+std::string manual_text(std::span<const ManualBlock> blocks);
 
 }  // namespace viewing

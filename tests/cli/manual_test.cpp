@@ -12,10 +12,20 @@ class ManualSlowTest : public Program {};
 
 TEST_F(Manual, HelpShowsATopic) {
     const std::string text = expect(0, {"help", "lessons"}).out;
-    EXPECT_EQ(text, viewing::manual_text("lessons"));
+    EXPECT_TRUE(text.starts_with(viewing::manual_text(viewing::manual_topic("lessons"))));
     EXPECT_NE(text.find("viewing-sandbox lesson --list"), std::string::npos);
     const std::string help = expect(0, {"help"}).out;
     for (const char* topic : viewing::manual_topics()) EXPECT_NE(help.find(topic), std::string::npos) << topic;
+}
+
+TEST_F(Manual, HelpShowsATopicThatIsAlsoACommand) {
+    for (const char* topic : viewing::manual_topics()) {
+        const std::string text = expect(0, {"help", topic}).out;
+        EXPECT_TRUE(text.starts_with(viewing::manual_text(viewing::manual_topic(topic)))) << topic;
+        const bool is_command = topic == std::string("exercises") || topic == std::string("compare");
+        EXPECT_EQ(text.find("viewing-sandbox " + std::string(topic) + " --help\n") != std::string::npos, is_command);
+    }
+    EXPECT_EQ(expect(0, {"help", "snapshot"}).out, expect(0, {"snapshot", "--help"}).out);
 }
 
 TEST_F(Manual, HelpListsTheTopicsForAnUnknownOne) {

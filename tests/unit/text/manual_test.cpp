@@ -49,16 +49,16 @@ TEST(Manual, HasATopicForEachFile) {
         const std::vector<ManualBlock> blocks = manual_topic(name);
         ASSERT_FALSE(blocks.empty()) << name;
         EXPECT_EQ(blocks.front().part, ManualPart::heading) << name;
-        EXPECT_EQ(manual_text(name).substr(0, blocks.front().cells.front().size()), blocks.front().cells.front());
+        EXPECT_EQ(manual_text(blocks).substr(0, blocks.front().cells.front().size()), blocks.front().cells.front());
     }
     EXPECT_EQ(files, topics);
     EXPECT_TRUE(manual_topic("nothing").empty());
-    EXPECT_EQ(manual_text("nothing"), "");
+    EXPECT_EQ(manual_text(manual_topic("nothing")), "");
 }
 
 TEST(Manual, WrapsTextAndKeepsLinesOfCode) {
     for (const char* name : manual_topics()) {
-        const std::string text = manual_text(name);
+        const std::string text = manual_text(manual_topic(name));
         std::size_t begin = 0;
         for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
             const std::string line = text.substr(begin, end - begin);
