@@ -216,6 +216,82 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
     return whole;
 }
 
+/// Cuts the panel and the matrices off the sides, as far as the window is wide enough; returns the rest.
+Rect cut_columns(Layout& layout, const Arrangement& arrangement, Rect whole, float gap, float scale) {
+    const float least_view = 420.0F * scale, least_rest = 240.0F * scale;
+    const float window_px = layout.top_bar.width();
+    const bool is_maximized = arrangement.maximized != ViewName::none;
+    bool panel = !is_maximized && !arrangement.panel_folded;
+    bool matrices =
+        is_maximized ? arrangement.beside_matrices && !arrangement.telling.is_on() : !arrangement.matrices_folded;
+    const float panel_width = arrangement.panel_width * scale, matrices_width = arrangement.matrices_width * scale;
+    layout.matrices_fit = !layout.is_short && panel_width + matrices_width + least_view + 2 * gap <= window_px;
+    if (layout.is_short && layout.strip.empty() && !arrangement.prefers_column) panel = matrices = false;
+    if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;
+    if (panel && panel_width + least_rest > window_px) panel = false;
+    if (matrices && matrices_width + least_rest > window_px) matrices = false;
+    if (panel) {
+        layout.panel = rounded(0, whole.min.y, panel_width, whole.max.y);
+        whole.min.x = panel_width + gap;
+    }
+    if (matrices) {
+        layout.matrices = rounded(window_px - matrices_width, whole.min.y, window_px, whole.max.y);
+        whole.max.x = window_px - matrices_width - gap;
+    }
+    return whole;
+}
+
+/// Places the camera view with the preset's caption.
+void place_camera(Layout& layout, const Arrangement& arrangement, const Rect& area, float gap, float scale) {
+    layout.camera = area;
+    cut_caption(layout, arrangement.caption_px, 3.0F * scale);
+    divide_camera(layout, arrangement, gap);
+}
+
+/// Places the maximized view.
+void place_one_view(Layout& layout, const Arrangement& arrangement, const Rect& area, float gap, float scale) {
+    const Rect below_title = rounded(area.min.x, area.min.y + layout.header_height, area.max.x, area.max.y);
+    if (arrangement.maximized == ViewName::camera) place_camera(layout, arrangement, below_title, gap, scale);
+    if (arrangement.maximized == ViewName::lower_left) layout.lower_left = below_title;
+    if (arrangement.maximized == ViewName::lower_right) layout.lower_right = below_title;
+    if (arrangement.maximized == ViewName::matrices)
+        layout.matrices = rounded(area.min.x, area.min.y, area.max.x, area.max.y);
+}
+
+/// Places the camera view and, beside it, one of the lower views.
+void place_side_by_side(Layout& layout, const Arrangement& arrangement, const Rect& area, float gap, float scale) {
+    const float half_gap = gap * 0.5F, top = area.min.y + layout.header_height;
+    const float split = area.min.x + 0.6F * area.width();
+    layout.lower_fit = false;
+    place_camera(layout, arrangement, rounded(area.min.x, top, split - half_gap, area.max.y), gap, scale);
+    (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
+        rounded(split + half_gap, top, area.max.x, area.max.y);
+}
+
+/// Places the camera view above the lower views: both, or one if the window is narrow. The lower views shrink first.
+void place_three_views(Layout& layout, const Arrangement& arrangement, const Rect& area, float gap, float scale) {
+    const float least_lower = arrangement.least_lower * scale;
+    const float lower = std::min(arrangement.lower_height * scale,
+                                 area.height() * (1.0F - arrangement.least_camera) - layout.header_height);
+    const float split_y = area.max.y - lower;
+    place_camera(layout, arrangement,
+                 rounded(area.min.x, area.min.y + layout.header_height, area.max.x,
+                         split_y - layout.header_height - 6.0F * scale),
+                 gap, scale);
+    const float width_of_two = std::max(least_lower, arrangement.least_area * scale * scale / std::max(lower, 1.0F));
+    layout.lower_fit = area.width() >= 2.0F * width_of_two + gap;
+    if (!layout.lower_fit) {
+        (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
+            rounded(area.min.x, split_y, area.max.x, area.max.y);
+        return;
+    }
+    const float least = least_lower + gap * 0.5F;
+    const float split_x =
+        std::clamp(area.min.x + area.width() * arrangement.lower_split, area.min.x + least, area.max.x - least);
+    layout.lower_left = rounded(area.min.x, split_y, split_x - gap * 0.5F, area.max.y);
+    layout.lower_right = rounded(split_x + gap * 0.5F, split_y, area.max.x, area.max.y);
+}
+
 }  // namespace
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
@@ -236,10 +312,8 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const bool has_bars = !bare && !arrangement.presents && !arrangement.embedded;
     const bool is_short = has_bars && window_px.y < px(420.0F);
     const bool has_status = has_bars && !(is_short && arrangement.strip_px > 0.0F);
-    const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
-                gap = bare ? 0.0F : px(10.0F);
-    const float margin = bare ? 0.0F : px(4.0F);
-    const float least_view = px(420.0F), least_lower = px(arrangement.least_lower);
+    const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F;
+    const float gap = bare ? 0.0F : px(10.0F), margin = bare ? 0.0F : px(4.0F);
 
     Layout layout;
     layout.is_short = is_short;
@@ -249,85 +323,21 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     // Keep space for the views: a taller strip is cut off at its lower edge.
     const float strip = std::min(bare ? 0.0F : arrangement.strip_px, 0.62F * window_px.y);
     if (strip > 0.0F) layout.strip = rounded(0, window_px.y - status - strip, window_px.x, window_px.y - status);
-    const float top = bar + margin, bottom = window_px.y - status - strip - margin;
-
+    const Rect between{{gap, bar + margin}, {window_px.x - gap, window_px.y - status - strip - margin}};
     if (arrangement.presents && !bare) {
-        lay_out_stage(layout, {{gap, top}, {window_px.x - gap, bottom}}, scale, arrangement);
+        lay_out_stage(layout, between, scale, arrangement);
         return layout;
     }
 
-    bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
-    if (arrangement.maximized != ViewName::none) {
-        panel = false;
-        matrices = arrangement.beside_matrices && !arrangement.telling.is_on();
-    }
-    const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
-    layout.matrices_fit = !is_short && panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
-    if (is_short && strip <= 0.0F && !arrangement.prefers_column) panel = matrices = false;
-    if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;
-    if (panel && panel_width + px(240.0F) > window_px.x) panel = false;
-    if (matrices && matrices_width + px(240.0F) > window_px.x) matrices = false;
-
-    float left = gap, right = window_px.x - gap;
-    if (panel) {
-        layout.panel = rounded(0, top, panel_width, bottom);
-        left = panel_width + gap;
-    }
-    if (matrices) {
-        layout.matrices = rounded(window_px.x - matrices_width, top, window_px.x, bottom);
-        right = window_px.x - matrices_width - gap;
-    }
-
-    Rect outer{{left, top}, {right, bottom}};
-    if (arrangement.telling.is_on() && arrangement.maximized != ViewName::none)
-        outer = cut_small_things(layout, arrangement, outer, scale);
-    const Rect whole = rounded(outer.min.x, outer.min.y + layout.header_height, outer.max.x, outer.max.y);
-    switch (arrangement.maximized) {
-        case ViewName::camera:
-            layout.camera = whole;
-            cut_caption(layout, arrangement.caption_px, px(3.0F));
-            divide_camera(layout, arrangement, gap);
-            return layout;
-        case ViewName::lower_left:
-            layout.lower_left = whole;
-            return layout;
-        case ViewName::lower_right:
-            layout.lower_right = whole;
-            return layout;
-        case ViewName::matrices:
-            layout.matrices = rounded(outer.min.x, outer.min.y, outer.max.x, outer.max.y);
-            return layout;
-        case ViewName::none:
-            break;
-    }
-    if (is_short) {  // one of the lower views, beside the camera view
-        layout.lower_fit = false;
-        const float split = left + 0.6F * (right - left);
-        layout.camera = rounded(left, top + layout.header_height, split - gap * 0.5F, bottom);
-        cut_caption(layout, arrangement.caption_px, px(3.0F));
-        divide_camera(layout, arrangement, gap);
-        (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
-            rounded(split + gap * 0.5F, top + layout.header_height, right, bottom);
-        return layout;
-    }
-    // The lower views shrink first.
-    const float lower = std::min(px(arrangement.lower_height),
-                                 (bottom - top) * (1.0F - arrangement.least_camera) - layout.header_height);
-    const float split_y = bottom - lower;
-    layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
-    cut_caption(layout, arrangement.caption_px, px(3.0F));
-    divide_camera(layout, arrangement, gap);
-    const float width_of_two = std::max(least_lower, px(px(arrangement.least_area)) / std::max(lower, 1.0F));
-    layout.lower_fit = right - left >= 2.0F * width_of_two + gap;
-    if (!layout.lower_fit) {
-        (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
-            rounded(left, split_y, right, bottom);
-        return layout;
-    }
-    const float least = least_lower + gap * 0.5F;
-    const float split_x = std::clamp(left + (right - left) * arrangement.lower_split, left + least, right - least);
-    layout.lower_left = rounded(left, split_y, split_x - gap * 0.5F, bottom);
-    layout.lower_right = rounded(split_x + gap * 0.5F, split_y, right, bottom);
+    Rect area = cut_columns(layout, arrangement, between, gap, scale);
+    const bool is_maximized = arrangement.maximized != ViewName::none;
+    if (is_maximized && arrangement.telling.is_on()) area = cut_small_things(layout, arrangement, area, scale);
+    if (is_maximized)
+        place_one_view(layout, arrangement, area, gap, scale);
+    else if (is_short)
+        place_side_by_side(layout, arrangement, area, gap, scale);
+    else
+        place_three_views(layout, arrangement, area, gap, scale);
     return layout;
 }
 

@@ -154,7 +154,7 @@ FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     }
     widths[counted] = std::max(widths[counted], width_of("100.0%", fonts.small_number)) + px(bar_room);
     for (const bool drops_named : {false, true})
-        for (const FightingColumn left_out : {names, pixels, step, gap, predicted, jittered_mean, onset})
+        for (const FightingColumn left_out : {names, pixels, step, jittered_mean, predicted, gap, onset})
             if (widths.sum() > room && is_named(left_out) == drops_named) widths[left_out] = 0.0F;
     return widths;
 }

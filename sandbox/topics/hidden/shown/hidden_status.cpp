@@ -16,7 +16,12 @@ std::optional<Problem> painter_problem(const HiddenAnswer& answer) {
     const WrongPair& wrong = *answer.painter_fails;
     const SceneSurface* surface = answer.camera->surface.get();
     const glm::ivec2 size_px = answer.question.camera.size_px;
-    const double share = static_cast<double>(wrong.all_pixels) / static_cast<double>(wrong.compared);
+    // The difference view counts the same pixels in the picture's own size; the same number then stands in both.
+    const std::optional<HiddenRequest>& other = answer.question.other;
+    const bool is_counted = other && other->visibility.method == reference_method && answer.compared_pixels > 0;
+    const double share =
+        is_counted ? static_cast<double>(answer.different_pixels) / static_cast<double>(answer.compared_pixels)
+                   : static_cast<double>(wrong.all_pixels) / static_cast<double>(wrong.compared);
     return Problem{
         message("{drawn} is drawn after {seen}, which is nearer around pixel ({x}, {y}): about {share} of the "
                 "picture is wrong",

@@ -74,18 +74,19 @@ void choose_pair(Params& params) {
 constexpr const char* shadow_facts[] = {"fact:det_shadow", "fact:rank_shadow", "fact:plane_dot_light"};
 constexpr const char* mirror_facts[] = {"fact:det_mirror"};
 
-/// Returns the note on S. If a lesson highlights the determinant or Π·L, returns that value instead, since the usual
-/// note only implies it.
-std::string shadow_note(const glm::dmat4& shadow, const CastShadow& cast) {
+/// Returns a fact about S: the determinant or Π·L if a lesson highlights it, since the usual facts only imply it.
+std::string shadow_fact(const glm::dmat4& shadow, const CastShadow& cast) {
     const std::string identity = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light));
     if (widgets::IsHighlighted("fact:det_shadow")) return "det S = " + number_text(glm::determinant(shadow), 3);
     if (widgets::IsHighlighted("fact:plane_dot_light")) return "Π·L = " + number_text(cast.plane_dot_light, 3);
     return say("rank {rank} · {identity}", "rank"_a = rank_of(shadow), "identity"_a = identity);
 }
 
-const char* told_sign(const CastShadow& cast) {
-    if (widgets::IsCovered("fact:plane_dot_light")) return "S";
-    return cast.sign < 0.0 ? "−1·S" : "+1·S";
+/// Returns the note on S, whose entries are shown: a fact, and whether −S is uploaded instead.
+std::string shadow_note(const glm::dmat4& shadow, const CastShadow& cast) {
+    const std::string fact = shadow_fact(shadow, cast);
+    if (cast.sign >= 0.0 || widgets::IsCovered("fact:plane_dot_light")) return fact;
+    return say("{fact} · −S is uploaded", "fact"_a = fact);
 }
 
 /// S and R of the chosen plane and light, and their values before the latest edit. Choosing another pair does not count
@@ -117,8 +118,7 @@ void show_shadow(const Column& column) {
                 "map, but the factor in front makes w > 0, so the clipper keeps the shadow."),
          Role::light, shadow, cast_before->shadowed_world_from_world,
          column.shown(shadow_cells(column.session.params.slips.shadow_by_rows)), shadow_roles(),
-         shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
-         shadow_facts},
+         shadow_matrix(plane.unit_plane, cast.light_world), "", moved_text(shadow, plane.patch), shadow_facts},
         shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index],
         column.pastes);
 }
