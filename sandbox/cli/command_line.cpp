@@ -14,7 +14,6 @@
 #include "cli/results/file_forms.h"
 #include "gl/egl_context.h"
 #include "state/presets.h"
-#include "text/manual.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -83,12 +82,15 @@ void refuse_what_is_not_utf8(const Arguments& arguments) {
                                                      ": not UTF-8, which all results use; rename the file");
 }
 
-/// Returns a topic of the manual; if a command has the same name, the last line says where its options are.
-std::string help_on(const std::string& topic) {
+/// Prints what the manual and the command's help say about a word; several topics have the name of a command.
+ExitStatus help_on(const std::string& topic) {
     const std::string text = manual_text(manual_page(topic));
-    if (!text.empty() && find_command(topic) != nullptr)
-        return text + "\nThe command's options: viewing-sandbox " + topic + " --help\n";
-    if (!text.empty()) return text;
+    print(text);
+    if (const Command* command = find_command(topic)) {
+        if (!text.empty()) print("\n");
+        return command->run(*command, {"--help"});
+    }
+    if (!text.empty()) return ExitStatus::done;
     const std::span<const char* const> topics = manual_topics();
     throw Failure(ExitStatus::bad_input,
                   one_line(topic) + ": no such command or topic; the topics are " + joined(topics));
@@ -97,12 +99,7 @@ std::string help_on(const std::string& topic) {
 ExitStatus dispatch(const Arguments& arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
     const Arguments rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
-    if (first == "help" && !rest.empty() && manual_topic(rest.front()).empty() && find_command(rest.front()) != nullptr)
-        return dispatch({rest.front(), "--help"});
-    if (first == "help" && !rest.empty()) {
-        print(help_on(rest.front()));
-        return ExitStatus::done;
-    }
+    if (first == "help" && !rest.empty()) return help_on(rest.front());
     if (first == "--help" || first == "-h" || first == "help") {
         print(main_help());
         return ExitStatus::done;

@@ -12,7 +12,7 @@
 #include "cli/state_arguments.h"
 #include "report/as_json.h"
 #include "report/matrices_report.h"
-#include "topics/matrices/numbers/look_at_text.h"
+#include "topics/camera/numbers/look_at_text.h"
 #include "topics/matrices/numbers/matrix_text.h"
 
 namespace viewing {

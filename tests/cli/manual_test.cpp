@@ -23,7 +23,7 @@ TEST_F(Manual, HelpShowsATopicThatIsAlsoACommand) {
         const std::string text = expect(0, {"help", topic}).out;
         EXPECT_TRUE(text.starts_with(viewing::manual_text(viewing::manual_topic(topic)))) << topic;
         const bool is_command = topic == std::string("exercises") || topic == std::string("compare");
-        EXPECT_EQ(text.find("viewing-sandbox " + std::string(topic) + " --help\n") != std::string::npos, is_command);
+        EXPECT_EQ(text.find("Usage: viewing-sandbox " + std::string(topic)) != std::string::npos, is_command);
     }
     EXPECT_EQ(expect(0, {"help", "snapshot"}).out, expect(0, {"snapshot", "--help"}).out);
 }

@@ -30,7 +30,7 @@ TEST_F(Usage, EveryCommandHasHelpWithUsageExamplesAndExitStatus) {
         for (const std::string& part : {"Usage: viewing-sandbox " + name, std::string("Examples:"),
                                         std::string("Exit status:"), std::string("  2  bad usage")})
             EXPECT_TRUE(has(help, part)) << name << ": " << part << "\n" << help;
-        EXPECT_EQ(expect(0, {"help", name}).out, help);
+        EXPECT_TRUE(expect(0, {"help", name}).out.ends_with(help)) << name;  // below the topic of the same name
     }
 }
 

@@ -5,8 +5,8 @@
 
 #include "report/as_json.h"
 #include "text/numbers.h"
+#include "topics/camera/numbers/look_at_text.h"
 #include "topics/matrices/numbers/fault_words.h"
-#include "topics/matrices/numbers/look_at_text.h"
 
 namespace viewing {
 namespace {

@@ -41,8 +41,10 @@ std::vector<Written> written_sentences() {
     const char* const tests = std::getenv("TEST_SOURCE_DIR");
     EXPECT_TRUE(tests) << "TEST_SOURCE_DIR";
     std::vector<Written> all;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(tests ? tests : ".") / ".." / "sandbox/frame")) {
-        if (entry.path().extension() != ".cpp") continue;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(tests ? tests : ".") / ".." / "sandbox")) {
+        const bool may_find_problems = entry.path().string().find("/numbers/") != std::string::npos ||
+                                       entry.path().string().find("/frame/") != std::string::npos;
+        if (!may_find_problems || entry.path().extension() != ".cpp") continue;
         std::stringstream text;
         text << std::ifstream(entry.path()).rdbuf();
         const std::string source = text.str();

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "text/catalogue.h"
-#include "topics/matrices/numbers/look_at_text.h"
+#include "topics/camera/numbers/look_at_text.h"
 #include "ui/parts/field_controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"

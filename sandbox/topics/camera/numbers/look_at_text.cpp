@@ -1,4 +1,4 @@
-#include "topics/matrices/numbers/look_at_text.h"
+#include "topics/camera/numbers/look_at_text.h"
 
 #include "text/numbers.h"
 
