@@ -39,12 +39,14 @@ Places places_in(const Rect& rect, double aspect) {
     const float gap = gap_in(rect);
     const bool wide = is_wide(rect);
     const ImVec2 first = wide ? ImVec2(rect.max.x - size.x, rect.min.y) : ImVec2(rect.min.x, rect.max.y - size.y);
-    const ImVec2 step = wide ? ImVec2(0.0F, size.y + gap) : ImVec2(size.x + gap, 0.0F);
+    // Spread over the view's whole height or width.
+    const ImVec2 step =
+        wide ? ImVec2(0.0F, 0.5F * (rect.height() - size.y)) : ImVec2(0.5F * (rect.width() - size.x), 0.0F);
     Places places;
     places.list = {rect.min, wide ? ImVec2(first.x - gap, rect.max.y) : ImVec2(rect.max.x, first.y - gap)};
     for (std::size_t buffer = 0; buffer < places.pictures.size(); ++buffer) {
         const auto number = static_cast<float>(buffer);
-        const ImVec2 min(first.x + number * step.x, first.y + number * step.y);
+        const ImVec2 min(std::round(first.x + number * step.x), std::round(first.y + number * step.y));
         places.pictures[buffer] = {min, {min.x + size.x, min.y + size.y}};
     }
     return places;
