@@ -93,7 +93,7 @@ bool names_kind(const std::string& name, const Json& member) {
     return name == "kind" && member.contains("const");
 }
 
-bool needs(const Json& schema, const std::string& name) {
+bool needs(const Json& schema, const Json& name) {
     const Json needed = schema.value("required", Json::array());
     return std::count(needed.begin(), needed.end(), name) > 0;
 }
@@ -104,10 +104,9 @@ std::string kind_of(const Json& schema, const Json& alternatives) {
     if (!schema.contains("properties")) return "";
     for (const auto& [name, member] : schema["properties"].items())
         if (names_kind(name, member)) return member["const"].get<std::string>();
-    for (const auto& [name, member] : schema["properties"].items())
-        if (needs(schema, name) && std::none_of(alternatives.begin(), alternatives.end(), [&](const Json& other) {
-                return other != schema && needs(other, name);
-            }))
+    for (const Json& name : schema.value("required", Json::array()))
+        if (std::none_of(alternatives.begin(), alternatives.end(),
+                         [&](const Json& other) { return other != schema && needs(other, name); }))
             return name;
     return "";
 }
