@@ -87,9 +87,18 @@ std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCu
         return a_first != b_first ? a_first : a.end.y < b.end.y;
     });
     const std::vector<Box> obstacles = Obstacles(plot, curves);
+    const float height = plot.max.y - plot.min.y, apart = Px(4);  // space for frames around two names
     for (const EndLabel& label : wanted) {
-        std::optional<Box> box = Nudged(label.box, plot, 3.0F * face.size, taken, obstacles);
-        if (!box) box = Nudged(label.box, plot, plot.max.y - plot.min.y, taken, {});
+        const auto place = [&](float gap, float most_px, std::span<const Box> avoided) {
+            const Box& own = label.box;
+            std::optional<Box> box =
+                Nudged({{own.min.x, own.min.y - gap}, {own.max.x, own.max.y + gap}}, plot, most_px, taken, avoided);
+            if (box) *box = {{own.min.x, box->min.y + gap}, {own.max.x, box->max.y - gap}};
+            return box;
+        };
+        std::optional<Box> box = place(apart, 3.0F * face.size, obstacles);
+        if (!box) box = place(apart, height, {});
+        if (!box) box = place(0.0F, height, {});
         if (!box) continue;
         placed.push_back({label.curve, label.end, *box});
         taken.push_back(*box);
