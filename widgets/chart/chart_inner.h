@@ -53,7 +53,7 @@ struct EndLabel {
 /// `taken`; also avoids curves if a small nudge suffices. Places emphasized names first and omits names that do not
 /// fit.
 std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCurve> curves, float right,
-                                  std::vector<Box> taken);
+                                  const std::vector<Box>& taken);
 void DrawEndLabel(ImDrawList* draw, const EndLabel& label, const char* name, ImU32 color);
 
 }  // namespace widgets::inner

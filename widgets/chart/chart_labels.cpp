@@ -71,9 +71,9 @@ bool IsFree(const Box& box, std::span<const Box> taken) {
 }
 
 std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCurve> curves, float right,
-                                  std::vector<Box> taken) {
+                                  const std::vector<Box>& taken) {
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
-    std::vector<EndLabel> wanted, placed;
+    std::vector<EndLabel> wanted;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const glm::dvec2* point = EndOf(plot, curves[i]);
         if (!point) continue;
@@ -87,23 +87,23 @@ std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCu
         return a_first != b_first ? a_first : a.end.y < b.end.y;
     });
     const std::vector<Box> obstacles = Obstacles(plot, curves);
-    const float height = plot.max.y - plot.min.y, apart = Px(4);  // space for frames around two names
-    for (const EndLabel& label : wanted) {
-        const auto place = [&](float gap, float most_px, std::span<const Box> avoided) {
-            const Box& own = label.box;
-            std::optional<Box> box =
-                Nudged({{own.min.x, own.min.y - gap}, {own.max.x, own.max.y + gap}}, plot, most_px, taken, avoided);
-            if (box) *box = {{own.min.x, box->min.y + gap}, {own.max.x, box->max.y - gap}};
-            return box;
-        };
-        std::optional<Box> box = place(apart, 3.0F * face.size, obstacles);
-        if (!box) box = place(apart, height, {});
-        if (!box) box = place(0.0F, height, {});
-        if (!box) continue;
-        placed.push_back({label.curve, label.end, *box});
-        taken.push_back(*box);
-    }
-    return placed;
+    const auto place_all = [&](float gap) {
+        std::vector<EndLabel> placed;
+        std::vector<Box> avoided = taken;
+        for (const EndLabel& label : wanted) {
+            const auto& [min, max] = label.box;
+            const Box spaced{{min.x, min.y - gap}, {max.x, max.y + gap}};
+            std::optional<Box> box = Nudged(spaced, plot, 3.0F * face.size, avoided, obstacles);
+            if (!box) box = Nudged(spaced, plot, plot.max.y - plot.min.y, avoided, {});
+            if (!box) continue;
+            placed.push_back({label.curve, label.end, {{min.x, box->min.y + gap}, {max.x, box->max.y - gap}}});
+            avoided.push_back(placed.back().box);
+        }
+        return placed;
+    };
+    // With space for frames around two names, if all names still fit.
+    std::vector<EndLabel> placed = place_all(Px(4));
+    return placed.size() == wanted.size() ? placed : place_all(0.0F);
 }
 
 void DrawEndLabel(ImDrawList* draw, const EndLabel& label, const char* name, ImU32 color) {
