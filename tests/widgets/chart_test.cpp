@@ -1,5 +1,6 @@
 // The logarithmic chart: decades and points are in their places, names do not overlap, the curve under the pointer is
 // found, and empty curves do no harm.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -117,6 +118,29 @@ TEST_F(ChartTest, NamesDoNotOverlapWhereCurvesEndTogether) {
     start_chart();
     EXPECT_EQ(labels().size(), 9U);
     expect_labels_apart();
+}
+
+/// Frames around two names, each up to 3 pixels wider than the name, do not touch; a low chart still has all names.
+TEST_F(ChartTest, NamesHaveSpaceForFramesUnlessANameWouldBeLost) {
+    std::vector<Points> all;
+    for (int i = 0; i < 6; ++i) all.push_back({{10, 1.0 + i}, {1000, 50.0 + 0.1 * i}});
+    use(all);
+    const auto least_space = [&](float height) {
+        style.size = ImVec2(560, height);
+        start_chart();
+        EXPECT_EQ(labels().size(), 6U) << height;
+        std::vector<RecordedItem> from_top = labels();
+        std::sort(from_top.begin(), from_top.end(),
+                  [](const RecordedItem& a, const RecordedItem& b) { return a.min.y < b.min.y; });
+        float least = 1e6F;
+        for (std::size_t i = 1; i < from_top.size(); ++i)
+            least = std::min(least, from_top[i].min.y - from_top[i - 1].max.y);
+        return least;
+    };
+    EXPECT_GE(least_space(400.0F), 4.0F);
+    const float low = least_space(165.0F);
+    EXPECT_GE(low, 0.0F);
+    EXPECT_LT(low, 4.0F);
 }
 
 TEST_F(ChartTest, NamesDoNotOverlapOnRandomCurves) {
