@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 #include "app/picture.h"
 #include "cli/commands.h"
@@ -13,13 +14,11 @@
 #include "cli/output.h"
 #include "cli/results/contact_sheet.h"
 #include "cli/results/csv.h"
-#include "cli/results/film.h"
-#include "cli/results/picture_file.h"
+#include "cli/results/sweep_result.h"
 #include "cli/state_arguments.h"
 #include "frame/finite.h"
 #include "grading/lesson_numbers.h"
 #include "image/image_size.h"
-#include "image/png.h"
 #include "platform/file.h"
 #include "platform/unfinished.h"
 #include "platform/whole_folder.h"
@@ -35,7 +34,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array ease_names{"linear", "smooth"};
-constexpr std::size_t fewest_digits = 4;  // of a picture's number in its file name
 constexpr std::array film_endings{".mp4", ".gif", ".webp"};
 
 /// The options as typed.
@@ -99,27 +97,12 @@ Kind kind_of(const std::string& output, std::string& ending) {
     return ending == ".png" ? Kind::sheet : Kind::folder;
 }
 
-std::string file_of_picture(std::size_t index, std::size_t count) {
-    const std::string number = std::to_string(index + 1);
-    const std::size_t digits = std::max(fewest_digits, std::to_string(count).size());
-    return std::string(digits - number.size(), '0') + number + ".png";
-}
-
 /// Returns the outputs that are not a folder of pictures.
 std::vector<FileArgument> outputs_of(const TypedSweep& typed, const SweepPlan& wish) {
     std::vector<FileArgument> outputs;
     if (typed.output && wish.kind != Kind::folder) outputs.push_back({"-o", *typed.output});
     if (typed.csv) outputs.push_back({"--csv", *typed.csv});
     return outputs;
-}
-
-/// Whether a file is a picture from an earlier sweep: its name is a number, and it contains the state that it shows.
-bool is_own_picture(const fs::path& file) {
-    const std::string stem = file.stem().string();
-    const bool is_number = stem.size() >= fewest_digits && stem.find_first_not_of("0123456789") == std::string::npos;
-    if (!is_number || file.extension() != ".png") return false;
-    const Result<std::string> note = read_png_note(file);
-    return note && !note->empty();
 }
 
 /// Refuses an output that is also an input or another output. Also refuses a picture folder that contains an input or
@@ -133,7 +116,7 @@ void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan
         if (input.file != "-" && are_same_file(folder_of(input.file), *typed.output))
             options.refuse("-o: the whole folder would be replaced, and " + input.option +
                            " is in it: " + one_line(input.file));
-    value_or_end(check_folder_free(*typed.output, is_own_picture));
+    value_or_end(check_folder_free(*typed.output, is_sweep_picture));
 }
 
 /// Checks that there is something to vary: a flight varies by itself, but any other state needs a field.
@@ -283,24 +266,67 @@ std::string row(const TypedSweep& typed, const std::vector<std::string>& setting
     return line + "\n";
 }
 
-/// Returns three captions from long to short, such as "light.position[0] = −2.9", "position[0] = −2.9" and "−2.9".
-std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
-    std::vector<std::string> captions(3);
-    for (const std::string& setting : settings) {
-        const std::size_t equals = setting.find('=');
-        const std::string path = setting.substr(0, equals), name = path.substr(path.rfind('.') + 1);
-        std::string value = setting.substr(equals + 1);
-        if (const std::optional<double> number = parse_double(value)) value = figures(*number, 4);
-        const std::string words[] = {path + " = " + value, name + " = " + value, value};
-        for (std::size_t i = 0; i < captions.size(); ++i) captions[i] += (captions[i].empty() ? "" : "  ") + words[i];
-    }
-    return captions;
-}
-
 int columns_of(const Options& options, const TypedSweep& typed, const SweepPlan& wish, std::size_t count) {
     if (typed.columns) return whole_option(options, "--columns", *typed.columns, 1, 1000);
     if (wish.variations.size() == 2 && !typed.together && !typed.back) return wish.variations.back().count;
     return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+}
+
+/// Returns the stops of the whole sweep, within the limit.
+std::vector<Stop> checked_stops(const Options& options, const TypedSweep& typed, const SweepPlan& wish,
+                                const Flight* flight) {
+    if (!flight) {
+        if (const std::int64_t count = count_of(wish, typed.together, typed.back); count > Variation::most_frames)
+            options.refuse("--vary: " + std::to_string(count) + " pictures exceed the limit of " +
+                           std::to_string(Variation::most_frames));
+        return stops_of(wish, typed.together, typed.back);
+    }
+    const bool resamples = typed.fps || wish.kind == Kind::film;
+    std::vector<Stop> stops = stops_of(*flight, resamples ? std::optional(wish.fps) : std::nullopt);
+    if (stops.size() > static_cast<std::size_t>(Variation::most_frames))
+        options.refuse("--fps: at this rate the flight of " + shortest_number(flight->seconds) + " s has more than " +
+                       std::to_string(Variation::most_frames) + " pictures");
+    return stops;
+}
+
+/// Sets the sheet's columns, and refuses a sheet that would be too large.
+void check_sheet(const Options& options, const TypedSweep& typed, SweepPlan& wish, std::size_t count) {
+    if (wish.kind != Kind::sheet) return;
+    wish.columns = columns_of(options, typed, wish, count);
+    const glm::ivec2 sheet_px = contact_sheet_size_px(wish.picture.size_px, static_cast<int>(count), wish.columns);
+    if (!is_image_size(sheet_px.x, sheet_px.y, most_image_pixels))
+        options.refuse("--size: the sheet would be " + std::to_string(sheet_px.x) + " × " + std::to_string(sheet_px.y) +
+                       " pixels; " + image_size_rule(most_image_pixels));
+}
+
+/// Reports what is wrong with any picture before the first one is drawn.
+void check_pictures(const Options& options, const TypedSweep& typed, const SweepPlan& wish, Steps& steps) {
+    std::vector<fs::path> read;
+    for (std::size_t i = 0; i < steps.count(); ++i) {
+        const LoadedState state = steps.at(i);
+        if (steps.scene().read != read) {
+            read = steps.scene().read;
+            keep_apart(options, typed, wish, files_of(steps.scene()));
+        }
+        const Derived derived = derive(state.params, steps.scene(), Viewport{wish.picture.size_px});
+        if (wish.kind != Kind::nothing) value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
+        refuse_beyond_budget(state.params, derived, steps.scene(), wish.picture.size_px);
+    }
+}
+
+/// Returns what takes the pictures; null if only numbers are written.
+std::unique_ptr<SweepResult> begin_result(const TypedSweep& typed, const SweepPlan& wish, std::size_t count) {
+    switch (wish.kind) {
+        case Kind::film:
+            return begin_film(*typed.output, wish.ending, wish.picture.size_px, wish.fps);
+        case Kind::folder:
+            return begin_folder(*typed.output, wish.picture, count);
+        case Kind::sheet:
+            return begin_sheet(*typed.output, wish.columns);
+        case Kind::nothing:
+            break;
+    }
+    return nullptr;
 }
 
 ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
@@ -311,68 +337,31 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
     const LoadedState start = state_arguments.load();
     SweepPlan wish = checked(options, typed, start.flight != nullptr);
-    if (!start.flight)
-        if (const std::int64_t count = count_of(wish, typed.together, typed.back); count > Variation::most_frames)
-            options.refuse("--vary: " + std::to_string(count) + " pictures exceed the limit of " +
-                           std::to_string(Variation::most_frames));
-    const bool resamples = typed.fps || wish.kind == Kind::film;
-    const std::vector<Stop> stops = start.flight
-                                        ? stops_of(*start.flight, resamples ? std::optional(wish.fps) : std::nullopt)
-                                        : stops_of(wish, typed.together, typed.back);
-    if (start.flight && stops.size() > static_cast<std::size_t>(Variation::most_frames))
-        options.refuse("--fps: at this rate the flight of " + shortest_number(start.flight->seconds) +
-                       " s has more than " + std::to_string(Variation::most_frames) + " pictures");
-    const glm::ivec2 size_px = wish.picture.size_px;
-    if (wish.kind == Kind::sheet) {
-        wish.columns = columns_of(options, typed, wish, stops.size());
-        const glm::ivec2 sheet_px = contact_sheet_size_px(size_px, static_cast<int>(stops.size()), wish.columns);
-        if (!is_image_size(sheet_px.x, sheet_px.y, most_image_pixels))
-            options.refuse("--size: the sheet would be " + std::to_string(sheet_px.x) + " × " +
-                           std::to_string(sheet_px.y) + " pixels; " + image_size_rule(most_image_pixels));
-    }
+    const std::vector<Stop> stops = checked_stops(options, typed, wish, start.flight.get());
+    check_sheet(options, typed, wish, stops.size());
     keep_apart(options, typed, wish, state_arguments.files());
     Steps steps(start, stops);
-    std::vector<fs::path> read;
-    for (std::size_t i = 0; i < steps.count(); ++i) {  // report errors before drawing anything
-        const LoadedState state = steps.at(i);
-        if (steps.scene().read != read) {
-            read = steps.scene().read;
-            keep_apart(options, typed, wish, files_of(steps.scene()));
-        }
-        const Derived derived = derive(state.params, steps.scene(), Viewport{size_px});
-        if (wish.kind != Kind::nothing) value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
-        refuse_beyond_budget(state.params, derived, steps.scene(), size_px);
-    }
+    check_pictures(options, typed, wish, steps);
 
     Headless headless(device_option(options, typed.device));
-    std::optional<Film> film;
-    if (wish.kind == Kind::film) film.emplace(value_or_end(Film::begin(wish.ending, size_px, wish.fps)));
-    std::optional<WholeFolder> folder;
-    if (wish.kind == Kind::folder) folder.emplace(value_or_end(WholeFolder::begin(*typed.output, is_own_picture)));
-    std::vector<SheetPicture> sheet;
+    const std::unique_ptr<SweepResult> result = begin_result(typed, wish, steps.count());
     std::string table = head(typed, wish);
     std::optional<Params> drawn;  // the parameters that `image` shows
     Image image;
     for (std::size_t i = 0; i < steps.count(); ++i) {
         const LoadedState state = steps.at(i);
         if (typed.csv) table += row(typed, steps.settings(i), state, start, steps.scene(), headless.renderer());
-        if (wish.kind == Kind::nothing) continue;
+        if (!result) continue;
         if (drawn != state.params)
             image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture),
                                    status_of_trouble(wish.picture.view));
         drawn = state.params;
-        if (film) value_or_end(film->add(image));
-        if (folder)
-            value_or_end(write_file(folder->beside() / file_of_picture(i, steps.count()),
-                                    encode_png(image, carried_state(drawn_params(state.params, wish.picture)))));
-        if (wish.kind == Kind::sheet) sheet.push_back({image, captions_of(steps.settings(i))});
+        result->add(image, state.params, steps.settings(i));
     }
     headless.require_no_errors();
     Outputs outputs;
-    if (film) outputs.add(*typed.output, value_or_end(film->finish()));
-    if (wish.kind == Kind::sheet) outputs.add(*typed.output, encode_png(contact_sheet(sheet, wish.columns)));
+    if (result) result->finish(outputs);
     if (typed.csv) outputs.add(*typed.csv, table);
-    if (folder) outputs.add(*std::move(folder));
     outputs.write();
     return ExitStatus::done;
 }
