@@ -139,26 +139,37 @@ std::vector<MemberRow> rows_of_alternatives(const Json& alternatives, const std:
     return rows;
 }
 
-void append(std::vector<MemberRow>& rows, const std::vector<MemberRow>& more) {
-    rows.insert(rows.end(), more.begin(), more.end());
-}
-
 std::vector<MemberRow> rows_below(const Json& schema, const std::string& path) {
     std::vector<MemberRow> rows;
     if (!schema.is_object()) return rows;
+    const auto append = [&rows](const std::vector<MemberRow>& more) {
+        rows.insert(rows.end(), more.begin(), more.end());
+    };
     if (schema.contains("properties")) {
         for (const auto& [name, member] : schema["properties"].items()) {
             // Members without rules, or of another kind of object, have no row; the alternatives have one for the kind.
             if (!member.is_object() || names_kind(name, member)) continue;
             const std::string below = path.empty() ? name : path + "." + name;
             rows.push_back({below, value_of(member) + (needs(schema, name) ? "; needed" : "")});
-            append(rows, rows_below(member, below));
+            append(rows_below(member, below));
         }
     } else if (schema.contains("anyOf")) {
-        append(rows, rows_of_alternatives(schema["anyOf"], path));
+        append(rows_of_alternatives(schema["anyOf"], path));
     }
-    if (schema.contains("items")) append(rows, rows_below(schema["items"], path + "[]"));
+    if (schema.contains("items")) append(rows_below(schema["items"], path + "[]"));
     return rows;
+}
+
+/// Returns the rows of a schema's table, in the schema's order. Each has two cells: a member's path, such as
+/// "steps[].ask.expect", where [] means any item of a list; and its value, with "; needed" if it must be there. For a
+/// member that only some kinds of an object have, the value ends with these kinds: "(number, vector)".
+std::vector<ManualBlock> member_rows(const std::string& schema) {
+    std::vector<ManualBlock> blocks;
+    for (const MemberRow& row : rows_below(Json::parse(schema), "")) {
+        const std::string kinds = row.kinds.empty() ? "" : " (" + joined(std::span<const std::string>(row.kinds)) + ")";
+        blocks.push_back({ManualPart::row, {row.path, row.value + kinds}});
+    }
+    return blocks;
 }
 
 }  // namespace
@@ -172,15 +183,6 @@ std::span<const FileForm> file_forms() {
                                       FileForm{"hand-in", "hand-in-schema", "grading", hand_in_schema},
                                       FileForm{"flight", "flight-schema", "sweeps", flight_schema}};
     return forms;
-}
-
-std::vector<ManualBlock> member_rows(const std::string& schema) {
-    std::vector<ManualBlock> blocks;
-    for (const MemberRow& row : rows_below(Json::parse(schema), "")) {
-        const std::string kinds = row.kinds.empty() ? "" : " (" + joined(std::span<const std::string>(row.kinds)) + ")";
-        blocks.push_back({ManualPart::row, {row.path, row.value + kinds}});
-    }
-    return blocks;
 }
 
 std::vector<ManualBlock> manual_page(std::string_view topic) {

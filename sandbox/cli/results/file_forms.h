@@ -20,11 +20,6 @@ struct FileForm {
 
 std::span<const FileForm> file_forms();
 
-/// Returns the rows of a schema's table, in the schema's order. Each has two cells: a member's path, such as
-/// "steps[].ask.expect", where [] stands for the items of a list; and its value, with "; needed" if it must be there. A
-/// member that only some kinds of an object have says which: "(number, vector)".
-std::vector<ManualBlock> member_rows(const std::string& schema);
-
 /// Returns a topic of the manual with the tables of the files that it describes; empty for an unknown name.
 std::vector<ManualBlock> manual_page(std::string_view topic);
 

@@ -16,7 +16,7 @@ std::optional<Problem> painter_problem(const HiddenAnswer& answer) {
     const WrongPair& wrong = *answer.painter_fails;
     const SceneSurface* surface = answer.camera->surface.get();
     const glm::ivec2 size_px = answer.question.camera.size_px;
-    // The difference view counts the same pixels in the picture's own size; the same number then stands in both.
+    // The difference view counts these pixels at the picture's own size. Then the sentence shows the same share.
     const std::optional<HiddenRequest>& other = answer.question.other;
     const bool is_counted = other && other->visibility.method == reference_method && answer.compared_pixels > 0;
     const double share =
