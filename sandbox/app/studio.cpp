@@ -25,7 +25,8 @@
 namespace viewing {
 namespace {
 
-constexpr double slow_ms = 80.0;  // a frame this slow no longer keeps up with a drag
+constexpr double slow_ms = 80.0;                          // a frame this slow no longer keeps up with a drag
+constexpr auto a_moment = std::chrono::milliseconds(30);  // of work in one frame, not felt while nothing is dragged
 
 /// Returns the shorter of two delays until a redraw; a negative delay means never.
 double sooner(double a_s, double b_s) {
@@ -207,13 +208,16 @@ void Studio::paint() {
     ImGui_ImplOpenGL3_RenderDrawData(data);
 }
 
-void Studio::make_exercise() {
+void Studio::make_exercises() {
+    using Clock = std::chrono::steady_clock;
     ExerciseDesk& exercises = workbench.exercises;
-    const std::optional<std::size_t> next = exercises.next_to_make();
-    if (!next) return;
-    const ExerciseDesk::Entry& entry = exercises.entries()[*next];
-    exercises.take_step(*next, variant_step(entry.exercise, entry.variant, numbers_at_start(&renderer_)));
-    settling_ = std::max(settling_, 2);
+    const Clock::time_point end = Clock::now() + a_moment;
+    while (const std::optional<std::size_t> next = exercises.next_to_make()) {
+        const ExerciseDesk::Entry& entry = exercises.entries()[*next];
+        exercises.take_step(*next, variant_step(entry.exercise, entry.variant, numbers_at_start(&renderer_)));
+        settling_ = std::max(settling_, 2);
+        if (Clock::now() > end) return;
+    }
 }
 
 void Studio::record(double dt_s) {
@@ -232,7 +236,8 @@ double Studio::next_redraw_in_s() const {
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking ||
                        judge_.computes_model();
-    if (busy || works) return busy ? 0.0 : 0.05;
+    if (busy || inspection_.reads_back()) return busy ? 0.0 : 0.05;
+    if (works) return 0.1;  // shows the progress; the end of background work wakes the window
     const double recorded_s = workbench.recorder.seconds();
     double in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
     in_s = sooner(in_s, Workbench::message_ends_in_s(session.message));
@@ -268,7 +273,7 @@ void Studio::animate(const Surroundings& surroundings) {
 
 void Studio::prepare(const Surroundings& surroundings) {
     session.update_scene();
-    make_exercise();
+    make_exercises();
     workbench.set_stage();
     follow_looks(surroundings);
     animate(surroundings);

@@ -85,8 +85,9 @@ private:
     void gather_content(const Surroundings& surroundings);
     StatusLine status(bool shows_time);
     WindowContent content() const;
-    /// Makes one exercise of the student's sheet per frame, since its numbers may have to be measured in pictures.
-    void make_exercise();
+    /// Makes exercises of the student's sheet, for a moment in each frame: their numbers may have to be measured in
+    /// pictures.
+    void make_exercises();
     void record(double dt_s);
     double next_redraw_in_s() const;
     bool is_held() const;  ///< something is being dragged

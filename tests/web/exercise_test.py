@@ -12,7 +12,7 @@ def shadow_matrix(plane, light):
 
 
 class Exercise(student.Student, browser.Test):
-    options = {"size": (1600, 900)}
+    options = {"size": student.SIZE}
 
     def grade(self, file, status):
         header, line = native.run("grade", file, "--set", "E16", "--format", "csv", status=status).decode().splitlines()[:2]

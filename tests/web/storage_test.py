@@ -34,7 +34,7 @@ KEEP_LOOKS = """(async () => {
 
 class NotKept(student.Student, browser.Checked):
     def setUp(self):
-        self.page = browser.Page(size=(1600, 900))
+        self.page = browser.Page(size=student.SIZE)
         self.addCleanup(self.page.close)
 
     def bar(self):
@@ -100,7 +100,7 @@ class NotKept(student.Student, browser.Checked):
 
     def test_blocked_storage_is_reported_for_looks_and_answers(self):
         self.page.close()
-        self.page = browser.Page(size=(1600, 900), may_keep=False)
+        self.page = browser.Page(size=student.SIZE, may_keep=False)
         self.page.open()
         self.assertEqual(self.page.js("(() => { try { return localStorage.length } catch (error) { return error.name } })()"),
                          "SecurityError", "as in a frame of another site, or with sandbox")
@@ -148,7 +148,7 @@ class TwoTabs(student.Student, browser.Checked):
     """Tabs of one browser write the same files: neither loses data saved by the other."""
 
     def setUp(self):
-        self.page = browser.Page(size=(1600, 900))
+        self.page = browser.Page(size=student.SIZE)
         self.addCleanup(self.page.close)
         self.open_exercise()
         self.tabs = [self.page.driver.current_window_handle]
@@ -160,7 +160,7 @@ class TwoTabs(student.Student, browser.Checked):
         """Opens a separate window, because a hidden tab draws nothing and its timers run once a second."""
         self.page.driver.switch_to.new_window("window")
         self.page.cdp("Page.addScriptToEvaluateOnNewDocument", source=browser.WATCH)
-        self.page.resize((1600, 900))
+        self.page.resize(student.SIZE)
         self.page.open()
         return self.page.driver.current_window_handle
 

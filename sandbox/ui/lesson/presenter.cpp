@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "state/fields.h"
 #include "text/catalogue.h"
 #include "ui/lesson/cards.h"
 #include "ui/parts/look.h"
@@ -90,35 +89,17 @@ bool PresenterMode::take_in_overview(const KeyPress& press, Guide& guide, Sessio
     return true;
 }
 
-bool PresenterMode::take_in_lesson(const KeyPress& press, Guide& guide, Session& session) {
-    switch (press.key) {
-        case Key::page_down:
-            guide.next(session);
-            return true;
-        case Key::page_up:
-            guide.previous(session);
-            return true;
-        case Key::space:
-            press.shift ? guide.previous(session) : guide.next(session);
-            return true;
-        case Key::home:
-            guide.return_to_step(session);
-            return true;
-        case Key::backspace:
-            guide.go_back(session);
-            return true;
-        case Key::o:
-            show_overview(guide);
-            return true;
-        default:
-            return digit_of(press.key) >= 0;
-    }
+void PresenterMode::toggle_ink(const Guide& guide) {
+    inks_ = !inks_;
+    if (!inks_) ink_.erase(page_of(guide));
 }
 
-/// Escape hides the QR code or, if it is hidden, ends inking. It ends presenter mode only with Shift, or if there is no
-/// code, inking, or lesson: a stray Escape must not end a lesson.
-void PresenterMode::leave_by_escape(const KeyPress& press, const Guide& guide) {
-    if (press.shift || (!inks_ && !shows_code_ && !guide.is_shown()))
+void PresenterMode::next_pointer() {
+    pointer_ = static_cast<Pointer>((static_cast<int>(pointer_) + 1) % 3);
+}
+
+void PresenterMode::leave_by_escape(const Guide& guide) {
+    if (!inks_ && !shows_code_ && !guide.is_shown())
         end();
     else if (!std::exchange(shows_code_, false))
         inks_ = false;
@@ -133,54 +114,10 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         return true;
     }
     if (guide.is_shown() && votes_.take(press, *guide.run())) return true;
-    if (press.ctrl && press.key == Key::z && inks_) {
-        if (std::vector<Stroke>& strokes = ink_[page_of(guide)]; !strokes.empty()) strokes.pop_back();
-        return true;
-    }
-    if (press.ctrl) return false;
-    switch (press.key) {
-        case Key::period:
-        case Key::b:
-            blank_ = Blank::black;
-            return true;
-        case Key::comma:
-            blank_ = Blank::white;
-            return true;
-        case Key::p:
-            is_frozen_ = !is_frozen_;
-            return true;
-        case Key::l:
-            pointer_ = static_cast<Pointer>((static_cast<int>(pointer_) + 1) % 3);
-            return true;
-        case Key::i:
-            inks_ = !inks_;
-            if (!inks_) ink_.erase(page_of(guide));
-            return true;
-        case Key::q:
-            shows_code_ = !shows_code_;
-            return true;
-        case Key::t:
-            clock_runs_ = !press.shift && !clock_runs_;
-            if (press.shift) clock_s_ = 0.0;
-            return true;
-        case Key::f6: {
-            const auto themes = static_cast<int>(names_of<Theme>().size());
-            Theme& theme = session.params.ui.theme;
-            theme = static_cast<Theme>((static_cast<int>(theme) + 1) % themes);
-            return true;
-        }
-        case Key::f5:
-            if (!guide.is_shown()) end();
-            return true;
-        case Key::f1:  // no help while presenting
-        case Key::x:   // update() handles it while the key is held
-            return true;
-        case Key::escape:
-            leave_by_escape(press, guide);
-            return true;
-        default:
-            return guide.is_shown() && take_in_lesson(press, guide, session);
-    }
+    const bool undoes_ink = inks_ && press.ctrl && press.key == Key::z;
+    if (!undoes_ink) return false;
+    if (std::vector<Stroke>& strokes = ink_[page_of(guide)]; !strokes.empty()) strokes.pop_back();
+    return true;
 }
 
 void PresenterMode::update(const FrameInput& input, Guide& guide, Session& session) {

@@ -18,13 +18,16 @@ namespace viewing {
 
 class PresenterMode {
 public:
+    enum class Blank { none, black, white };
+
     bool is_on() const { return is_on_; }
     void begin();
     void end();
     /// Returns the requested full-screen state, if any, and clears the request.
     std::optional<bool> take_wish_for_full_screen() { return std::exchange(wants_full_screen_, std::nullopt); }
 
-    /// Handles a key. Returns true if presenter mode used the key; nothing else should then use it.
+    /// Hands a key to what is over the picture: the overview, a blank screen, votes, ink. Returns true if one of them
+    /// used the key; nothing else should then use it.
     bool take(const KeyPress& press, Guide& guide, Session& session);
     /// Call once a frame with the keys and buttons that are held down.
     void update(const FrameInput& input, Guide& guide, Session& session);
@@ -54,17 +57,25 @@ public:
     /// Whether letter keys type vote counts, so that holding them does not move the camera.
     bool takes_letters() const { return is_on_ && votes_.is_typing(); }
 
+    void show_blank(Blank blank) { blank_ = blank; }  ///< until any key is pressed
+    void toggle_freeze() { is_frozen_ = !is_frozen_; }
+    void next_pointer();  ///< none, a dot, a spotlight
+    /// Begins to draw with the mouse, or ends it and erases the page's ink.
+    void toggle_ink(const Guide& guide);
+    void toggle_code() { shows_code_ = !shows_code_; }
+    void toggle_clock() { clock_runs_ = !clock_runs_; }
+    void reset_clock() { clock_runs_ = false, clock_s_ = 0.0; }
+    /// Hides the QR code or, if it is hidden, ends inking. Ends presenter mode only if there is no code, inking, or
+    /// lesson: a stray Escape must not end a lesson.
+    void leave_by_escape(const Guide& guide);
+
     /// Draws on top of everything else. `room`: the part of the window above the lesson's text.
     void draw(const Guide& guide, const Rect& room);
 
 private:
-    enum class Blank { none, black, white };
     enum class Pointer { none, spot, spotlight };
     using Stroke = std::vector<ImVec2>;  ///< in fractions of the window
 
-    /// Handles the keys that belong to a lesson.
-    bool take_in_lesson(const KeyPress& press, Guide& guide, Session& session);
-    void leave_by_escape(const KeyPress& press, const Guide& guide);
     bool take_in_overview(const KeyPress& press, Guide& guide, Session& session);
     void draw_ink(std::size_t step);
     void draw_pointer(const Rect& room);

@@ -135,25 +135,20 @@ void paste(Guide& guide, Session& session) {
         session.report(session.paste(text));
 }
 
-void Workbench::draw_file_menu(Session& session, Requests& requests) {
+void Workbench::draw_file_menu(const CommandContext& context) {
     if (!begin_menu(marked("File"), "file menu", marked("Open and save states, meshes and pictures"))) return;
-    const auto item = [](const char* label, const char* keys) {
-        const bool chosen = ImGui::MenuItem(widgets::LabelText(label).c_str(), keys);
+    const WindowCommand* chosen = nullptr;
+    const auto item = [&](const char* name, const char* label = nullptr) {
+        const WindowCommand& command = command_named(name);
+        if (!label) label = name;
+        if (ImGui::MenuItem(widgets::LabelText(label).c_str(), key_text(command.key).c_str())) chosen = &command;
         widgets::Record(label);
-        return chosen;
     };
-    bool open = false, save = false, save_step = false;
-    open = item(marked("Open…"), "Ctrl+O");
-    save = item(marked("Save…"), "Ctrl+S");
-    save_step = item(marked("Save as step…"), "");
-    if (item(marked("Copy state"), "Ctrl+C")) copy(session);
-    if (item(marked("Copy link"), "")) copy_link(guide, session, link_address);
-    if (item(marked("Paste state"), "Ctrl+V")) paste_anything(session);
+    for (const char* name : {"Open…", "Save…", "Save as step…", "Copy state", "Copy link", "Paste state"}) item(name);
     ImGui::Separator();
-    if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
-    if (item(recorder.is_recording() ? marked("Stop recording") : marked("Record a flight"), "F9"))
-        toggle_recording(session);
-    if (item(marked("Reset all"), "")) session.reset();
+    item("Snapshot");
+    item("Record a flight", recorder.is_recording() ? marked("Stop recording") : nullptr);
+    item("Reset all");
     if (!lectures_.empty()) ImGui::Separator();
     for (const LessonFile& lecture : lectures_) {
         korean.want(lecture.title.shown());
@@ -162,9 +157,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
         widgets::Record(("lecture " + lecture.id).c_str());
     }
     ImGui::EndPopup();
-    if (open) file_dialog_.show(FileDialog::Purpose::open);
-    if (save) file_dialog_.show(FileDialog::Purpose::save);
-    if (save_step) save_as_step();
+    if (chosen) chosen->run(*this, context);
 }
 
 /// Draws the controls that determine what a drag in the camera view does.
@@ -271,7 +264,8 @@ void show_next_column(Arrangement& arrangement, const Layout& layout) {
 
 }  // namespace
 
-void Workbench::draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests) {
+void Workbench::draw_top_bar(const CommandContext& context, const Layout& layout, const PresetPicture& picture) {
+    Session& session = context.session;
     const widgets::Group group("top");
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
     begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
@@ -340,9 +334,9 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
         if (widgets::Button("Redo", session.can_redo(), "nothing to redo")) session.redo();
         ImGui::SameLine();
     }
-    draw_file_menu(session, requests);
+    draw_file_menu(context);
     ImGui::SameLine();
-    draw_look_menu(session, requests);
+    draw_look_menu(session, context.requests);
     ImGui::SameLine();
     if (widgets::Button("?")) help_.open();
     widgets::Tooltip("Keys", "Every key and mouse gesture (F1)");

@@ -4,18 +4,26 @@
 
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
+#include "ui/window/commands.h"
 #include "ui/window/dialogs.h"
 #include "widgets/widgets.h"
 
 namespace viewing {
 namespace {
 
+/// Draws a line of the list: keys, and what they do.
+void draw_line(const std::string& keys, const char* what) {
+    widgets::ValueText(keys.c_str(), widgets::Role::camera);
+    ImGui::SameLine(px(240.0F));
+    ImGui::TextUnformatted(tr(what));
+}
+
 void draw_keys() {
     struct Line {
         const char* keys;
         const char* what;
     };
-    static constexpr Line lines[] = {
+    static constexpr Line of_camera[] = {
         {"W S", marked("forward, back")},
         {"A D", marked("strafe left, right (fly) · turn (orbit)")},
         {"R F", marked("up, down (fly)")},
@@ -28,40 +36,20 @@ void draw_keys() {
         {marked("wheel"), marked("nearer, farther; Ctrl: speed (fly, walk)")},
         {marked("click"), marked("follow the nearest vertex; on the background: stop following")},
         {marked("right click"), marked("why this pixel? Touch screen: touch and hold it")},
-        {"Home  G", marked("starting view · whole scene")},
-        {"L", marked("level: no roll")},
-        {"X  Y  Z", marked("look along an axis; press again: other side")},
-        {"", ""},
         {marked("drag a number"), marked("change it; Shift ×10, Alt ÷100")},
         {marked("double-click it"), marked("type; right-click resets")},
-        {"Ctrl+Z  Ctrl+Shift+Z", marked("undo, redo")},
-        {"Ctrl+C  Ctrl+V", marked("copy, paste the whole state")},
-        {"Ctrl+O  Ctrl+S", marked("open, save")},
-        {"", ""},
-        {"F1", marked("this list")},
-        {"F2  F3", marked("fold the controls, the matrices")},
-        {"F5", marked("go on stage; F5 or Esc returns")},
-        {"M", marked("maximize the view under the pointer")},
-        {"N", marked("next navigation mode")},
-        {"H", marked("toggle handles and labels")},
-        {"C", marked("fold or unfold the preset's description")},
-        {"Ctrl+P", marked("search everything, including a setting with its value: near 0.01")},
-        {marked("Page up  Page down"), marked("previous preset, next preset")},
-        {"Ctrl+plus  Ctrl+minus  Ctrl+0", marked("larger, smaller, default size")},
-        {"F9", marked("start or stop recording a flight; Esc stops playback")},
-        {"F11", marked("full screen")},
-        {"F12", marked("snapshot of the camera view")},
     };
     // Use tight line spacing, so that all lines are visible at once in a window of 1280 × 720.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1.0F)});
-    for (const Line& line : lines) {
-        if (*line.keys == '\0') {
-            ImGui::Dummy({0.0F, px(4.0F)});
-            continue;
-        }
-        widgets::ValueText(tr(line.keys), widgets::Role::camera);
-        ImGui::SameLine(px(240.0F));
-        ImGui::TextUnformatted(tr(line.what));
+    for (const Line& line : of_camera) draw_line(tr(line.keys), line.what);
+    ImGui::Dummy({0.0F, px(4.0F)});
+    const std::span<const WindowCommand> commands = window_commands();
+    for (std::size_t i = 0; i < commands.size();) {
+        const char* const what = commands[i].help;
+        std::string keys = key_text(commands[i].key);
+        while (++i < commands.size() && commands[i].help && *commands[i].help == '\0')
+            keys += "  " + key_text(commands[i].key);
+        if (what) draw_line(keys, what);
     }
     ImGui::PopStyleVar();
 }

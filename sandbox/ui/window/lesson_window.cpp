@@ -127,29 +127,18 @@ void Workbench::set_lesson_stage() {
         stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
 }
 
-bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
+bool Workbench::take_key_of_page(const KeyPress& press, Session& session) {
     const bool searches = press.ctrl && press.key == Key::p && !typed_matrix_.is_open() && !presenter.is_blank();
     if (searches) return false;
-    if (typed_matrix_.is_open() || exercise_page.is_open()) {
-        if (press.key == Key::escape) typed_matrix_.is_open() ? typed_matrix_.close() : exercise_page.close();
-        return press.key != Key::f11;
+    const bool covers_exercise = typed_matrix_.is_open() || exercise_page.is_open();
+    if (!covers_exercise && !start_page.is_open()) return presenter.take(press, guide, session);
+    if (press.key == Key::escape) {
+        if (typed_matrix_.is_open())
+            typed_matrix_.close();
+        else
+            covers_exercise ? exercise_page.close() : start_page.close();
     }
-    if (start_page.is_open()) {
-        if (press.key == Key::escape) start_page.close();
-        return press.key != Key::f11;
-    }
-    if (presenter.take(press, guide, session)) return true;
-    if (!guide.is_shown() || press.ctrl) return false;
-    if (press.key == Key::page_down) guide.next(session);
-    if (press.key == Key::page_up) guide.previous(session);
-    if (press.key == Key::home) guide.return_to_step(session);
-    if (press.key == Key::escape && guide.run()->shows_end()) {
-        guide.previous(session);
-        return true;
-    }
-    if (press.key == Key::f5) presenter.begin();
-    const Key of_lesson[] = {Key::page_down, Key::page_up, Key::home, Key::f5, Key::x};
-    return std::find(std::begin(of_lesson), std::end(of_lesson), press.key) != std::end(of_lesson);
+    return press.key != Key::f11;
 }
 
 void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests) {

@@ -5,7 +5,6 @@
 #include "lesson/exercise.h"
 #include "state/file/beside.h"
 #include "state/file/state_json.h"
-#include "ui/panel/beside_panel.h"
 #include "ui/window/areas.h"
 #include "ui/window/workbench.h"
 
@@ -41,42 +40,9 @@ void Workbench::show_topic(Topic topic, Session& session, const Layout& layout) 
     views.lower = LowerChoice{slot, params.view.lower_left, params.view.lower_right};
 }
 
-void Workbench::carry_out(MenuCommand command, Session& session, const std::vector<Problem>& problems) {
-    const auto compare_with = [&](OtherState which) {
-        if (const std::optional<Params> other = other_state(which, session, problems))
-            show_beside(session.params, *other);
-        else
-            session.report(Error{why_no_other(which)});
-    };
-    switch (command) {
-        case MenuCommand::compare_before_edit:
-            return compare_with(OtherState::before_edit);
-        case MenuCommand::compare_preset:
-            return compare_with(OtherState::preset);
-        case MenuCommand::compare_fixed:
-            return compare_with(OtherState::fixed);
-        case MenuCommand::one_picture:
-            session.params.view.beside.shows = Beside::nothing;
-            return;
-        case MenuCommand::save_as_step:
-            return save_as_step();
-        case MenuCommand::edit_step:
-            return open_step_editor(session);
-        case MenuCommand::copy_link:
-            return copy_link(guide, session, link_address);
-        case MenuCommand::reset_all:
-            return session.reset();
-        case MenuCommand::lessons:
-            return start_page.open();
-        case MenuCommand::exercises:
-            return exercise_page.open(exercises);
-        case MenuCommand::leave_lesson:
-            return leave_lesson(session);
-    }
-}
-
-void Workbench::draw_search(Session& session, const std::vector<Problem>& problems, const Layout& layout,
-                            Requests& requests) {
+void Workbench::draw_search(const CommandContext& context, const Layout& layout) {
+    Session& session = context.session;
+    Requests& requests = context.requests;
     const std::optional<SearchChoice> choice = search_.draw([&] { return offered_to_search(session); });
     if (!choice) return;
     start_page.close();
@@ -107,10 +73,7 @@ void Workbench::draw_search(Session& session, const std::vector<Problem>& proble
     } else if (const auto* topic = std::get_if<Topic>(&*choice)) {
         show_topic(*topic, session, layout);
     } else if (const auto* command = std::get_if<const WindowCommand*>(&*choice)) {
-        if (const auto* key = std::get_if<KeyPress>(&(*command)->does))
-            waiting_.pressed.push_back(*key);  // press it in the next frame, when no text is being typed
-        else
-            carry_out(std::get<MenuCommand>((*command)->does), session, problems);
+        (*command)->run(*this, context);
     }
 }
 

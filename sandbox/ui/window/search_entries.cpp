@@ -104,8 +104,8 @@ const char* name_of_kind(EntryKind kind) {
 std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLimits& limits, const Params& params) {
     Entries entries;
     for (const WindowCommand& command : window_commands())
-        if (command.is_in(limits.place))
-            entries.add(EntryKind::command, tr(command.label), tr(command.keys), &command, command.label);
+        if (*command.name && command.is_in(limits.place))
+            entries.add(EntryKind::command, tr(command.name), key_text(command.key), &command, command.name);
     for (const Field& field : fields())
         if (can_be_typed(field) && may_change(limits, field)) add_field(entries, field, params);
     for (const NamedFile& preset : lists.presets) add_preset(entries, preset);

@@ -12,42 +12,13 @@
 #include "lesson/lesson.h"
 #include "state/fields.h"
 #include "state/presets.h"
-#include "ui/parts/input.h"
+#include "ui/window/commands.h"
 
 namespace viewing {
 
 /// Entries that match equally well are sorted in this order.
 enum class EntryKind { command, field, trouble, preset, view, lesson, step, exercise };
 const char* name_of_kind(EntryKind kind);
-
-/// A command without a shortcut key.
-enum class MenuCommand {
-    save_as_step,
-    edit_step,
-    copy_link,
-    reset_all,
-    lessons,
-    exercises,
-    leave_lesson,
-    compare_before_edit,
-    compare_preset,
-    compare_fixed,
-    one_picture
-};
-
-/// Where the user is. Keys differ between these places.
-enum class Place { window, lesson, stage, lesson_on_stage };
-
-/// A command of the window: a key, or an item of a menu.
-struct WindowCommand {
-    const char* label;
-    const char* keys;  ///< as the help shows them
-    std::variant<KeyPress, MenuCommand> does;
-    unsigned places;  ///< a bit for each Place where it exists
-
-    bool is_in(Place place) const { return ((places >> static_cast<unsigned>(place)) & 1U) != 0; }
-};
-std::span<const WindowCommand> window_commands();
 
 struct PresetChoice {
     std::string name;

@@ -156,8 +156,8 @@ FrameInput Workbench::after_typing(const FrameInput& input) {
                                waiting_.dropped_files.end());
     waiting_ = {};
     const bool leads_away = std::any_of(taken.pressed.begin(), taken.pressed.end(), [this](const KeyPress& press) {
-        const bool turns_page = press.key == Key::page_down || press.key == Key::page_up;
-        return turns_page ? guide.is_shown() : press.key >= Key::f1 && press.key <= Key::f12;
+        const WindowCommand* const command = command_of(press, place());
+        return command && command->open >= Open::text;
     });
     if (has_waited || !widgets::IsTyping(widgets) || !(leads_away || !taken.dropped_files.empty())) return taken;
     widgets::EndTyping(widgets);
@@ -184,86 +184,62 @@ std::optional<std::vector<std::string>> Workbench::offered(const Params& params,
     return kinds;
 }
 
-void Workbench::choose_scale(Session& session, double scale, Requests& requests) {
-    session.params.ui.scale = std::clamp(std::round(scale * 10.0) / 10.0, 0.5, 3.0);
-    requests.chosen_scale = session.params.ui.scale;
-}
-
 void Workbench::paste_anything(Session& session) {
     const char* const held = ImGui::GetClipboardText();
-    if (held && MatrixDialog::is_matrix(held))
+    const bool is_link_or_state = held && std::string_view(held).find_first_of("#{") != std::string_view::npos;
+    if (takes_pasted_answer() && !is_link_or_state)
+        paste_answer();
+    else if (held && MatrixDialog::is_matrix(held))
         matrix_dialog_.paste(held, 0);
     else
         paste(guide, session);
 }
 
-void Workbench::handle_shortcut(const KeyPress& press, Session& session, Requests& requests) {
-    const auto& [key, ctrl, shift] = press;
-    if (key == Key::z) shift ? session.redo() : session.undo();
-    if (key == Key::y) session.redo();
-    if (key == Key::c) copy(session);
-    if (key == Key::v) {
-        const char* const held = ImGui::GetClipboardText();
-        const bool is_link_or_state = held && std::string_view(held).find_first_of("#{") != std::string_view::npos;
-        takes_pasted_answer() && !is_link_or_state ? paste_answer() : paste_anything(session);
-    }
-    if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
-    if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
-    if (key == Key::p) search_.open();
-    if (key == Key::plus) choose_scale(session, session.params.ui.scale + 0.1, requests);
-    if (key == Key::minus) choose_scale(session, session.params.ui.scale - 0.1, requests);
-    if (key == Key::zero) choose_scale(session, 1.0, requests);
+void Workbench::toggle_big(Session& session) {
+    BigView& big = session.params.view.layout.big;
+    big = big == BigView::none ? big_view(views.hovered) : BigView::none;
 }
 
-void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
-    // WantTextInput stays true for one frame after typing ends.
-    const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+void Workbench::toggle_caption(const Session& session) {
+    caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
+}
+
+void Workbench::turn_preset(int places, Session& session) {
+    if (const NamedFile* preset = preset_at(session, places)) session.open(preset->name);
+}
+
+void Workbench::take_back(Session& session) {
+    if (guide.is_shown() && guide.run()->shows_end())
+        guide.previous(session);
+    else if (replay.is_playing())
+        replay.stop();
+    else if (session.params.view.layout.big != BigView::none)
+        session.params.view.layout.big = BigView::none;
+    else
+        session.params.follow.reset();
+}
+
+Open Workbench::open_now(const Session& session) const {
     const bool in_dialog = help_.is_open() || file_dialog_.is_open() || search_.is_open() || matrix_dialog_.is_open() ||
                            session.asks_to_read() != nullptr;
-    const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (in_dialog) return Open::dialog;
+    // WantTextInput stays true for one frame after typing ends.
+    if (ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive()) return Open::text;
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) ? Open::list : Open::nothing;
+}
+
+void Workbench::handle_keys(const CommandContext& context, const FrameInput& input) {
+    Session& session = context.session;
+    const Open open = open_now(session);
     for (const KeyPress& press : input.pressed) {
         if (arrangement.embedded) break;  // the embedding page handles keys
-        const Key key = press.key;
-        const bool turns_page = key == Key::page_down || key == Key::page_up;
-        if (!in_dialog && (!typing || turns_page) && take_lesson_key(press, session)) continue;
-        if (key == Key::f1) help_.toggle();
-        if (key == Key::f2) fold(session.params, "panel", !is_folded(session.params, "panel"));
-        if (key == Key::f3) fold(session.params, "matrices", !is_folded(session.params, "matrices"));
-        if (key == Key::f9) toggle_recording(session);
-        if (key == Key::f11) requests.toggle_full_screen = true;
-        if (key == Key::f12) requests.snapshot = true;
-        // Other keys belong to the text field or dialog, except undo and redo in an empty search field, which itself
-        // has nothing to undo.
-        const bool can_undo = preset_picker_.has_empty_search() && (key == Key::z || key == Key::y);
-        if ((typing && !can_undo) || in_dialog) continue;
-        if (press.ctrl) handle_shortcut(press, session, requests);
-        if (press.ctrl || in_list) continue;
-        if (key == Key::f5) presenter.begin();
-        if (key == Key::m)
-            session.params.view.layout.big =
-                session.params.view.layout.big == BigView::none ? big_view(views.hovered) : BigView::none;
-        if (key == Key::n)
-            session.params.camera.navigation =
-                static_cast<Navigation>((static_cast<int>(session.params.camera.navigation) + 1) % 3);
-        if (key == Key::home) session.go_home();
-        if (key == Key::g) session.frame_all(aspect);
-        if (key == Key::l) session.level();
-        if (key == Key::x) session.look_along(0);
-        if (key == Key::y) session.look_along(1);
-        if (key == Key::z) session.look_along(2);
-        if (key == Key::h) views.handles = !views.handles;
-        if (key == Key::c) caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
-        if (key == Key::page_down || key == Key::page_up)
-            if (const NamedFile* preset = preset_at(session, key == Key::page_down ? 1 : -1))
-                session.open(preset->name);
-        if (key == Key::escape) {
-            if (replay.is_playing())
-                replay.stop();
-            else if (session.params.view.layout.big != BigView::none)
-                session.params.view.layout.big = BigView::none;
-            else
-                session.params.follow.reset();
-        }
+        const bool turns_page = press.key == Key::page_down || press.key == Key::page_up;
+        if ((open < Open::text || (open == Open::text && turns_page)) && take_key_of_page(press, session)) continue;
+        const WindowCommand* const command = command_of(press, place());
+        // An empty search field has nothing to undo, so the key is the window's.
+        const bool can_undo = open == Open::text && press.ctrl && (press.key == Key::z || press.key == Key::y) &&
+                              preset_picker_.has_empty_search();
+        if (command && (command->open >= open || can_undo)) command->run(*this, context);
     }
     for (const std::filesystem::path& file : input.dropped_files) session.open(file.string());
 }
@@ -406,6 +382,7 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
 void Workbench::draw_windows(Session& session, const WindowContent& content, const FrameInput& input,
                              MotionInput& motion, Requests& requests) {
     const Pictures& pictures = content.pictures;
+    const CommandContext context{session, requests, content.problems, content.derived.aspect};
     widgets::NewFrame(widgets);
     const Layout now = layout(ImGui::GetIO().DisplaySize, session);
     views.moves = guide.moves;
@@ -414,7 +391,7 @@ void Workbench::draw_windows(Session& session, const WindowContent& content, con
         begin_area("panel", now.panel);
         ImGui::End();
     }
-    if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
+    if (!now.top_bar.empty()) draw_top_bar(context, now, pictures.preset);
     draw_columns(session, content, now);
     draw_views(session, content, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, content.status);
@@ -430,7 +407,7 @@ void Workbench::draw_windows(Session& session, const WindowContent& content, con
     session.message.is_drawn = true;
     file_dialog_.draw(session);
     help_.draw();
-    draw_search(session, content.problems, now, requests);
+    draw_search(context, now);
     draw_permission(session);
     if (matrix_choice_.pastes != 0) {
         const char* const held = ImGui::GetClipboardText();
@@ -448,7 +425,7 @@ Requests Workbench::draw(Session& session, const WindowContent& content, const F
     Requests requests;
     if (session.message.is_drawn) session.message.shown_s += input.dt_s;
     if (message_ends_in_s(session.message) == 0.0) session.message = {};
-    handle_keys(session, input, content.derived.aspect, requests);
+    handle_keys({session, requests, content.problems, content.derived.aspect}, input);
     set_stage();
 
     const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&

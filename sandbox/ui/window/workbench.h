@@ -21,6 +21,7 @@
 #include "ui/panel/section_links.h"
 #include "ui/parts/stage.h"
 #include "ui/views/views.h"
+#include "ui/window/commands.h"
 #include "ui/window/dialogs.h"
 #include "ui/window/help.h"
 #include "ui/window/matrix_dialog.h"
@@ -123,7 +124,9 @@ private:
     /// Covers what the question asks for, until it is answered.
     void cover_question(const LessonRun& run);
     void leave_lesson(Session& session);
-    bool take_lesson_key(const KeyPress& press, Session& session);
+    /// Hands a key to what lies over the window: a dialog of an exercise, the list of lessons, or presenter mode.
+    /// Returns true if one of them used it.
+    bool take_key_of_page(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
     /// Draws the card that ends the lesson, if it is shown.
     void draw_end(Session& session, const Pictures& pictures);
@@ -134,14 +137,21 @@ private:
     /// Whether the current question is about a matrix or vector, so that pasted numbers are its answer.
     bool takes_pasted_answer() const;
     void paste_answer();
-    void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
-    void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
-    void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);
+    friend std::span<const WindowCommand> window_commands();
+    Open open_now(const Session& session) const;
+    void handle_keys(const CommandContext& context, const FrameInput& input);
+    /// Maximizes the view under the pointer, or shows all views again.
+    void toggle_big(Session& session);
+    void toggle_caption(const Session& session);
+    /// Opens the preset that is `places` positions after the open one, if there is one.
+    void turn_preset(int places, Session& session);
+    /// Takes back the latest of these: the lesson's end, a replay, a maximized view, a followed point.
+    void take_back(Session& session);
+    void draw_top_bar(const CommandContext& context, const Layout& layout, const PresetPicture& picture);
     void draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture);
     const NamedFile* open_preset(const Session& session) const;
     /// Returns the preset that is `places` positions after the open one in lecture order; null past either end.
     const NamedFile* preset_at(const Session& session, int places) const;
-    void choose_scale(Session& session, double scale, Requests& requests);
     Place place() const;
     /// The layout without the links below the panel.
     Layout layout_of_areas(ImVec2 window_px, float strip_width, const Session& session) const;
@@ -153,13 +163,12 @@ private:
     std::vector<std::string> matrices_about(const Session& session) const;
     std::vector<SearchEntry> offered_to_search(const Session& session);
     /// Draws the search and carries out what the user chooses in it.
-    void draw_search(Session& session, const std::vector<Problem>& problems, const Layout& layout, Requests& requests);
+    void draw_search(const CommandContext& context, const Layout& layout);
     void save_as_step();
     void open_step_editor(Session& session);
-    void carry_out(MenuCommand command, Session& session, const std::vector<Problem>& problems);
     /// Shows a topic in a lower view and makes that view visible.
     void show_topic(Topic topic, Session& session, const Layout& layout);
-    void draw_file_menu(Session& session, Requests& requests);
+    void draw_file_menu(const CommandContext& context);
     void draw_look_menu(Session& session, Requests& requests);
     /// Starts a recording, or ends it and writes its file in the background.
     void toggle_recording(Session& session);
@@ -175,7 +184,7 @@ private:
     void draw_views(Session& session, const WindowContent& content, const Layout& layout, const FrameInput& input,
                     MotionInput& motion);
     void draw_splitters(const Layout& layout, const Rect& between);
-    /// Pastes a state, a link or a matrix from the clipboard.
+    /// Pastes an answer, a state, a link or a matrix from the clipboard.
     void paste_anything(Session& session);
     void draw_loading(Session& session, const Layout& layout);
     void draw_message(Session& session, const Layout& layout);

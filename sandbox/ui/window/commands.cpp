@@ -1,0 +1,250 @@
+#include "ui/window/commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "state/fields.h"
+#include "state/file/beside.h"
+#include "text/catalogue.h"
+#include "ui/panel/beside_panel.h"
+#include "ui/window/areas.h"
+#include "ui/window/window_layout.h"
+#include "ui/window/workbench.h"
+
+namespace viewing {
+namespace {
+
+constexpr unsigned bit_of(Place place) {
+    return 1U << static_cast<unsigned>(place);
+}
+constexpr unsigned in_free = bit_of(Place::window), in_lesson = bit_of(Place::lesson),
+                   on_free_stage = bit_of(Place::stage), on_lesson_stage = bit_of(Place::lesson_on_stage);
+constexpr unsigned in_any_window = in_free | in_lesson, on_any_stage = on_free_stage | on_lesson_stage,
+                   without_lesson = in_free | on_free_stage, with_lesson = in_lesson | on_lesson_stage,
+                   anywhere = in_any_window | on_any_stage;
+
+constexpr KeyPress with_ctrl(Key key, bool shift = false) {
+    return {key, true, shift};
+}
+constexpr KeyPress with_shift(Key key) {
+    return {key, false, true};
+}
+constexpr std::nullopt_t no_key = std::nullopt;
+
+using Context = const CommandContext&;
+
+void compare_with(OtherState which, Context context) {
+    Session& session = context.session;
+    if (const std::optional<Params> other = other_state(which, session, context.problems))
+        show_beside(session.params, *other);
+    else
+        session.report(Error{why_no_other(which)});
+}
+
+void toggle_fold(Session& session, std::string_view column) {
+    fold(session.params, column, !is_folded(session.params, column));
+}
+
+void choose_scale(Context context, double scale) {
+    double& chosen = context.session.params.ui.scale;
+    chosen = std::clamp(std::round(scale * 10.0) / 10.0, 0.5, 3.0);
+    context.requests.chosen_scale = chosen;
+}
+
+template <int by>
+void change_scale(Workbench&, Context context) {
+    choose_scale(context, context.session.params.ui.scale + 0.1 * by);
+}
+
+template <typename Enum>
+void advance(Enum& value) {
+    value = static_cast<Enum>((static_cast<std::size_t>(value) + 1) % names_of<Enum>().size());
+}
+
+template <int axis>
+void look_along(Workbench&, Context context) {
+    context.session.look_along(axis);
+}
+
+}  // namespace
+
+std::span<const WindowCommand> window_commands() {
+    using W = Workbench;
+    using C = Context;
+    constexpr auto redo = [](W&, C c) { c.session.redo(); };
+    constexpr auto return_to_step = [](W& w, C c) { w.guide.return_to_step(c.session); };
+    constexpr auto next_step = [](W& w, C c) { w.guide.next(c.session); };
+    constexpr auto previous_step = [](W& w, C c) { w.guide.previous(c.session); };
+    constexpr auto end_stage = [](W& w, C) { w.presenter.end(); };
+    constexpr auto black = [](W& w, C) { w.presenter.show_blank(PresenterMode::Blank::black); };
+    static constexpr WindowCommand all[] = {
+        {marked("Starting view"), KeyPress{Key::home}, without_lesson, [](W&, C c) { c.session.go_home(); },
+         Open::nothing, marked("starting view · whole scene")},
+        {marked("The whole scene"), KeyPress{Key::g}, anywhere, [](W&, C c) { c.session.frame_all(c.aspect); },
+         Open::nothing, ""},
+        {marked("Level: no roll"), KeyPress{Key::l}, in_any_window, [](W&, C c) { c.session.level(); }, Open::nothing,
+         marked("level: no roll")},
+        {marked("Look along x"), KeyPress{Key::x}, in_free, look_along<0>, Open::nothing,
+         marked("look along an axis; press again: other side")},
+        {marked("Look along y"), KeyPress{Key::y}, anywhere, look_along<1>, Open::nothing, ""},
+        {marked("Look along z"), KeyPress{Key::z}, anywhere, look_along<2>, Open::nothing, ""},
+
+        {marked("Undo"), with_ctrl(Key::z), anywhere, [](W&, C c) { c.session.undo(); }, Open::list,
+         marked("undo, redo")},
+        {marked("Redo"), with_ctrl(Key::z, true), anywhere, redo, Open::list, ""},
+        {"", with_ctrl(Key::y), anywhere, redo, Open::list},
+        {marked("Copy state"), with_ctrl(Key::c), anywhere, [](W&, C c) { copy(c.session); }, Open::list,
+         marked("copy, paste the whole state")},
+        {marked("Paste state"), with_ctrl(Key::v), anywhere, [](W& w, C c) { w.paste_anything(c.session); }, Open::list,
+         ""},
+        {marked("Open…"), with_ctrl(Key::o), anywhere, [](W& w, C) { w.file_dialog_.show(FileDialog::Purpose::open); },
+         Open::list, marked("open, save")},
+        {marked("Save…"), with_ctrl(Key::s), anywhere, [](W& w, C) { w.file_dialog_.show(FileDialog::Purpose::save); },
+         Open::list, ""},
+
+        {marked("Keys"), KeyPress{Key::f1}, in_any_window, [](W& w, C) { w.help_.toggle(); }, Open::dialog,
+         marked("this list")},
+        {marked("Fold the controls"), KeyPress{Key::f2}, anywhere, [](W&, C c) { toggle_fold(c.session, "panel"); },
+         Open::dialog, marked("fold the controls, the matrices")},
+        {marked("Fold the matrices"), KeyPress{Key::f3}, anywhere, [](W&, C c) { toggle_fold(c.session, "matrices"); },
+         Open::dialog, ""},
+        {marked("Go on stage"), KeyPress{Key::f5}, in_any_window, [](W& w, C) { w.presenter.begin(); }, Open::text,
+         marked("go on stage; F5 or Esc returns")},
+        {"", KeyPress{Key::f5}, on_free_stage, end_stage, Open::text},
+        {marked("Maximize the view"), KeyPress{Key::m}, anywhere, [](W& w, C c) { w.toggle_big(c.session); },
+         Open::nothing, marked("maximize the view under the pointer")},
+        {marked("Next navigation mode"), KeyPress{Key::n}, anywhere,
+         [](W&, C c) { advance(c.session.params.camera.navigation); }, Open::nothing, marked("next navigation mode")},
+        {marked("Handles and labels"), KeyPress{Key::h}, anywhere, [](W& w, C) { w.views.handles = !w.views.handles; },
+         Open::nothing, marked("toggle handles and labels")},
+        {marked("The preset's description"), KeyPress{Key::c}, anywhere, [](W& w, C c) { w.toggle_caption(c.session); },
+         Open::nothing, marked("fold or unfold the preset's description")},
+        {"", with_ctrl(Key::p), anywhere, [](W& w, C) { w.search_.open(); }, Open::list,
+         marked("search everything, including a setting with its value: near 0.01")},
+        {marked("Previous preset"), KeyPress{Key::page_up}, without_lesson,
+         [](W& w, C c) { w.turn_preset(-1, c.session); }, Open::nothing, marked("previous preset, next preset")},
+        {marked("Next preset"), KeyPress{Key::page_down}, without_lesson,
+         [](W& w, C c) { w.turn_preset(1, c.session); }, Open::nothing, ""},
+        {marked("Larger"), with_ctrl(Key::plus), anywhere, change_scale<1>, Open::list,
+         marked("larger, smaller, default size")},
+        {marked("Smaller"), with_ctrl(Key::minus), anywhere, change_scale<-1>, Open::list, ""},
+        {marked("Default size"), with_ctrl(Key::zero), anywhere, [](W&, C c) { choose_scale(c, 1.0); }, Open::list, ""},
+        {marked("Record a flight"), KeyPress{Key::f9}, anywhere, [](W& w, C c) { w.toggle_recording(c.session); },
+         Open::dialog, marked("start or stop recording a flight; Esc stops playback")},
+        {marked("Full screen"), KeyPress{Key::f11}, anywhere, [](W&, C c) { c.requests.toggle_full_screen = true; },
+         Open::dialog, marked("full screen")},
+        {marked("Snapshot"), KeyPress{Key::f12}, anywhere, [](W&, C c) { c.requests.snapshot = true; }, Open::dialog,
+         marked("snapshot of the camera view")},
+        {"", KeyPress{Key::escape}, in_any_window, [](W& w, C c) { w.take_back(c.session); }},
+
+        {marked("Lessons"), no_key, in_any_window, [](W& w, C) { w.start_page.open(); }},
+        {marked("Leave the lesson"), no_key, in_lesson, [](W& w, C c) { w.leave_lesson(c.session); }},
+        {marked("Exercises"), no_key, in_any_window, [](W& w, C) { w.exercise_page.open(w.exercises); }},
+        {marked("Save as step…"), no_key, in_any_window, [](W& w, C) { w.save_as_step(); }},
+        {marked("Edit this step"), no_key, in_lesson, [](W& w, C c) { w.open_step_editor(c.session); }},
+        {marked("Copy link"), no_key, in_any_window, [](W& w, C c) { copy_link(w.guide, c.session, w.link_address); }},
+        {marked("Reset all"), no_key, in_free, [](W&, C c) { c.session.reset(); }},
+        {marked("Compare with the state before the last edit"), no_key, without_lesson,
+         [](W&, C c) { compare_with(OtherState::before_edit, c); }},
+        {marked("Compare with the preset"), no_key, without_lesson,
+         [](W&, C c) { compare_with(OtherState::preset, c); }},
+        {marked("Compare with the fixed state"), no_key, without_lesson,
+         [](W&, C c) { compare_with(OtherState::fixed, c); }},
+        {marked("Only one picture"), no_key, without_lesson,
+         [](W&, C c) { c.session.params.view.beside.shows = Beside::nothing; }},
+
+        {marked("Restore the step's state"), KeyPress{Key::home}, with_lesson, return_to_step, Open::list},
+        {"", KeyPress{Key::page_down}, with_lesson, next_step, Open::text},
+        {"", KeyPress{Key::page_up}, with_lesson, previous_step, Open::text},
+        {"", KeyPress{Key::space}, on_lesson_stage, next_step, Open::list},
+        {"", with_shift(Key::space), on_lesson_stage, previous_step, Open::list},
+        {"", KeyPress{Key::backspace}, on_lesson_stage, [](W& w, C c) { w.guide.go_back(c.session); }, Open::list},
+        {marked("Overview of the steps"), KeyPress{Key::o}, on_lesson_stage,
+         [](W& w, C) { w.presenter.show_overview(w.guide); }, Open::list},
+        {marked("Black screen"), KeyPress{Key::b}, on_any_stage, black, Open::list},
+        {"", KeyPress{Key::period}, on_any_stage, black, Open::list},
+        {marked("White screen"), KeyPress{Key::comma}, on_any_stage,
+         [](W& w, C) { w.presenter.show_blank(PresenterMode::Blank::white); }, Open::list},
+        {marked("Freeze the picture"), KeyPress{Key::p}, on_any_stage, [](W& w, C) { w.presenter.toggle_freeze(); },
+         Open::list},
+        {marked("Pointer, then spotlight"), KeyPress{Key::l}, on_any_stage, [](W& w, C) { w.presenter.next_pointer(); },
+         Open::list},
+        {marked("Ink"), KeyPress{Key::i}, on_any_stage, [](W& w, C) { w.presenter.toggle_ink(w.guide); }, Open::list},
+        {"", KeyPress{Key::q}, on_any_stage, [](W& w, C) { w.presenter.toggle_code(); }, Open::list},
+        {marked("Timer"), KeyPress{Key::t}, on_any_stage, [](W& w, C) { w.presenter.toggle_clock(); }, Open::list},
+        {"", with_shift(Key::t), on_any_stage, [](W& w, C) { w.presenter.reset_clock(); }, Open::list},
+        {marked("Next theme"), KeyPress{Key::f6}, on_any_stage, [](W&, C c) { advance(c.session.params.ui.theme); },
+         Open::text},
+        {"", KeyPress{Key::escape}, on_any_stage, [](W& w, C) { w.presenter.leave_by_escape(w.guide); }, Open::list},
+        {marked("Leave the stage"), with_shift(Key::escape), on_any_stage, end_stage, Open::list},
+    };
+    return all;
+}
+
+const WindowCommand* command_of(const KeyPress& press, Place place) {
+    const WindowCommand* best = nullptr;
+    for (const WindowCommand& command : window_commands()) {
+        if (!command.key || !command.is_in(place)) continue;
+        const auto& [key, ctrl, shift] = *command.key;
+        if (key != press.key || ctrl != press.ctrl || (shift && !press.shift)) continue;
+        if (!best || shift == press.shift) best = &command;
+    }
+    return best;
+}
+
+const WindowCommand& command_named(std::string_view name) {
+    const std::span<const WindowCommand> all = window_commands();
+    return *std::find_if(all.begin(), all.end(), [name](const WindowCommand& command) { return command.name == name; });
+}
+
+std::string key_text(const std::optional<KeyPress>& press) {
+    if (!press) return "";
+    struct Name {
+        Key key;
+        const char* text;
+    };
+    static constexpr Name names[] = {
+        {Key::page_up, "Page up"},
+        {Key::page_down, "Page down"},
+        {Key::home, "Home"},
+        {Key::escape, "Esc"},
+        {Key::plus, "plus"},
+        {Key::minus, "minus"},
+        {Key::zero, "0"},
+        {Key::comma, ","},
+        {Key::f1, "F1"},
+        {Key::f2, "F2"},
+        {Key::f3, "F3"},
+        {Key::f5, "F5"},
+        {Key::f6, "F6"},
+        {Key::f9, "F9"},
+        {Key::f11, "F11"},
+        {Key::f12, "F12"},
+        {Key::b, "B"},
+        {Key::c, "C"},
+        {Key::g, "G"},
+        {Key::h, "H"},
+        {Key::i, "I"},
+        {Key::l, "L"},
+        {Key::m, "M"},
+        {Key::n, "N"},
+        {Key::o, "O"},
+        {Key::p, "P"},
+        {Key::s, "S"},
+        {Key::t, "T"},
+        {Key::v, "V"},
+        {Key::x, "X"},
+        {Key::y, "Y"},
+        {Key::z, "Z"},
+        {Key::q, "Q"},
+        {Key::space, "Space"},
+        {Key::period, "."},
+        {Key::backspace, "Backspace"},
+    };
+    const auto* const name = std::find_if(std::begin(names), std::end(names),
+                                          [&](const Name& candidate) { return candidate.key == press->key; });
+    return std::string(press->ctrl ? "Ctrl+" : "") + (press->shift ? "Shift+" : "") + name->text;
+}
+
+}  // namespace viewing

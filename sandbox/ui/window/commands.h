@@ -1,0 +1,60 @@
+// The commands of the window, each declared once: its key, its name in menus and in the search, its line in the list of
+// keys, where it exists, and what it does.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frame/problems.h"
+#include "session/session.h"
+#include "ui/parts/input.h"
+
+namespace viewing {
+
+class Workbench;
+struct Requests;
+
+/// Where the user is. Keys differ between these places.
+enum class Place { window, lesson, stage, lesson_on_stage };
+
+/// How much may be open for a command's key to work. Each value allows what the one before it allows, and more.
+enum class Open {
+    nothing,
+    list,   ///< a drop-down list or a menu
+    text,   ///< a text field: the typed text is committed first
+    dialog  ///< everything
+};
+
+/// What a command may change, beside the window.
+struct CommandContext {
+    Session& session;
+    Requests& requests;
+    const std::vector<Problem>& problems;
+    double aspect;  ///< of the camera view
+};
+
+struct WindowCommand {
+    const char* name;             ///< in menus and in the search; "": the search does not offer it
+    std::optional<KeyPress> key;  ///< without shift: also with shift, unless another command has that
+    unsigned places;              ///< a bit for each Place where it exists
+    void (*run)(Workbench& window, const CommandContext& context);
+    Open open = Open::nothing;
+    /// Its line in the list of keys; "": its key is on the line of the command before it; null: not listed.
+    const char* help = nullptr;
+
+    bool is_in(Place place) const { return ((places >> static_cast<unsigned>(place)) & 1U) != 0; }
+};
+
+std::span<const WindowCommand> window_commands();
+/// The command of a key at a place; null if there is none.
+const WindowCommand* command_of(const KeyPress& press, Place place);
+/// The command with this name, which must exist.
+const WindowCommand& command_named(std::string_view name);
+
+/// Returns a key's name as the window shows it, such as "Ctrl+Shift+Z"; "" for a command without a key.
+std::string key_text(const std::optional<KeyPress>& press);
+
+}  // namespace viewing

@@ -1,0 +1,75 @@
+// The list of commands: no key means two things at one place, and every command can be reached.
+#include "ui/window/commands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace viewing::test {
+namespace {
+
+constexpr Place places[] = {Place::window, Place::lesson, Place::stage, Place::lesson_on_stage};
+
+bool is_same(const KeyPress& a, const KeyPress& b) {
+    return a.key == b.key && a.ctrl == b.ctrl && a.shift == b.shift;
+}
+
+TEST(CommandsTest, AKeyHasOneCommandAtAPlace) {
+    const std::span<const WindowCommand> all = window_commands();
+    for (const Place place : places)
+        for (const WindowCommand& command : all) {
+            if (!command.key || !command.is_in(place)) continue;
+            const auto rivals = std::count_if(all.begin(), all.end(), [&](const WindowCommand& other) {
+                return other.key && other.is_in(place) && is_same(*other.key, *command.key);
+            });
+            EXPECT_EQ(rivals, 1) << key_text(command.key) << " at place " << static_cast<int>(place);
+        }
+}
+
+TEST(CommandsTest, EveryCommandHasAKeyOrAName) {
+    for (const WindowCommand& command : window_commands()) {
+        EXPECT_TRUE(command.key || *command.name);
+        EXPECT_EQ(key_text(command.key).empty(), !command.key.has_value());
+        EXPECT_FALSE(key_text(command.key).ends_with("+")) << command.name << ": the key has no name";
+    }
+}
+
+TEST(CommandsTest, KeysAreNamedWithTheirModifiers) {
+    EXPECT_EQ(key_text(KeyPress{Key::z, true, true}), "Ctrl+Shift+Z");
+    EXPECT_EQ(key_text(KeyPress{Key::page_up}), "Page up");
+    EXPECT_EQ(key_text(std::nullopt), "");
+}
+
+TEST(CommandsTest, ShiftIsIgnoredUnlessACommandHasIt) {
+    const auto name = [](const KeyPress& press, Place place) {
+        const WindowCommand* const command = command_of(press, place);
+        return std::string(command ? command->name : "none");
+    };
+    EXPECT_EQ(name({Key::z, true, false}, Place::window), "Undo");
+    EXPECT_EQ(name({Key::z, true, true}, Place::window), "Redo");
+    EXPECT_EQ(name({Key::g, false, true}, Place::window), "The whole scene");
+    EXPECT_EQ(name({Key::escape, false, true}, Place::lesson_on_stage), "Leave the stage");
+    EXPECT_EQ(name({Key::g, true, false}, Place::window), "none");
+}
+
+TEST(CommandsTest, AKeyMeansWhatItsPlaceIsFor) {
+    const auto name = [](Key key, Place place) {
+        const WindowCommand* const command = command_of({key}, place);
+        return std::string(command ? command->name : "none");
+    };
+    EXPECT_EQ(name(Key::l, Place::window), "Level: no roll");
+    EXPECT_EQ(name(Key::l, Place::stage), "Pointer, then spotlight");
+    EXPECT_EQ(name(Key::home, Place::stage), "Starting view");
+    EXPECT_EQ(name(Key::home, Place::lesson), "Restore the step's state");
+    EXPECT_EQ(name(Key::x, Place::lesson), "none") << "it shows the state before, while it is held";
+    EXPECT_EQ(name(Key::f1, Place::stage), "none") << "no help before an audience";
+}
+
+TEST(CommandsTest, MenusFindTheirCommandsByName) {
+    for (const char* name : {"Open…", "Save…", "Save as step…", "Copy state", "Copy link", "Paste state", "Snapshot",
+                             "Record a flight", "Reset all"})
+        EXPECT_STREQ(command_named(name).name, name);
+}
+
+}  // namespace
+}  // namespace viewing::test
