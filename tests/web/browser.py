@@ -61,15 +61,15 @@ WATCH = """
 })();
 """
 
-# Resolves when no frame and no work item has run for `quiet_ms` and the program reports that it rests.
+# Resolves when no frame and no work item has run for `quiet_ms` and the program reports that it rests. A blinking caret
+# and the clock of a stage request a frame now and then forever; the program rests in between.
 SETTLE = """
 const [quiet_ms, limit_ms, done] = arguments, begun = performance.now();
 const look = () => {
   const now = performance.now();
   const is_there = typeof Module !== 'undefined' && Module.calledRun && Module._page_is_open && Module._page_is_open();
   const is_quiet = is_there && !watched.asked && now - watched.last >= quiet_ms && watched.frames > 0;
-  // A blinking caret and the clock of a stage request a frame now and then forever.
-  const rests = is_quiet && (Module._page_rests() || now - begun > 1500);
+  const rests = is_quiet && Module._page_rests();
   if (rests) done('');
   else if (now - begun > limit_ms) done(is_there ? 'frames: ' + watched.frames + ', asked: ' + watched.asked : 'never open');
   else setTimeout(look, 25);
