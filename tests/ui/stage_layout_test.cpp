@@ -255,6 +255,34 @@ TEST_F(FreeStage, HasTheKeysOfALessonsStage) {
     EXPECT_TRUE(presenter.is_on());
 }
 
+/// Ink and a blank screen keep the mouse from the views, which a drag would otherwise turn before the audience.
+TEST_F(FreeStage, InkAndBlankScreensKeepTheMouseFromTheViews) {
+    Desk desk({1280, 720}, "opening");
+    enter(desk);
+    desk.ui.frames(3);
+    const Params before = desk.params();
+    const Layout layout = desk.layout();
+    const auto middle = [](const Rect& rect) {
+        return ImVec2((rect.min.x + rect.max.x) * 0.5F, (rect.min.y + rect.max.y) * 0.5F);
+    };
+    const auto drag_all = [&] {
+        for (const Rect* view : {&layout.camera, &layout.lower_right, &layout.matrices})
+            for (const int button : {0, 1, 2}) desk.drag_from(middle(*view), 60.0F, 30.0F, 5, button);
+        desk.ui.frames(2);
+    };
+    for (const Key key : {Key::i, Key::b, Key::comma}) {
+        desk.press(key);
+        ASSERT_TRUE(desk.workbench.presenter.takes_mouse());
+        drag_all();
+        EXPECT_EQ(desk.params(), before) << "key " << static_cast<int>(key);
+        desk.press(key);
+        desk.ui.frames(2);
+        ASSERT_FALSE(desk.workbench.presenter.takes_mouse());
+    }
+    drag_all();
+    EXPECT_NE(desk.params(), before) << "without them, the mouse turns the views again";
+}
+
 /// While X is held, the state before the latest edit is shown; the key leaves no trace.
 TEST_F(FreeStage, XComparesWithTheStateBefore) {
     Desk desk({1280, 720}, "walk");

@@ -22,6 +22,21 @@ bool is_modifier(Key key) {
     return key == Key::shift || key == Key::ctrl || key == Key::alt || key == Key::super;
 }
 
+/// Puts an empty window over a part of the window, which then gets neither clicks nor the wheel.
+void keep_mouse_from(const Rect& part) {
+    ImGui::SetNextWindowPos(part.min);
+    ImGui::SetNextWindowSize({part.width(), part.height()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::Begin("over the views", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+    ImGui::InvisibleButton(
+        "mouse", {part.width(), part.height()},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 void PresenterMode::begin() {
@@ -181,6 +196,7 @@ void PresenterMode::draw_pointer(const Rect& room) {
 void PresenterMode::draw(const Guide& guide, const Rect& room) {
     if (!is_on_) return;
     if (guide.is_shown()) votes_.draw(*guide.run(), room);
+    if (takes_mouse()) keep_mouse_from(is_blank() ? Rect{{0.0F, 0.0F}, ImGui::GetIO().DisplaySize} : room);
     draw_ink(page_of(guide));
     draw_pointer(room);
     ImDrawList* draw = ImGui::GetForegroundDrawList();
