@@ -4,8 +4,8 @@
 
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
-#include "ui/window/commands.h"
 #include "ui/window/dialogs.h"
+#include "ui/window/window_commands.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

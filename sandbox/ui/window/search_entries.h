@@ -12,7 +12,7 @@
 #include "lesson/lesson.h"
 #include "state/fields.h"
 #include "state/presets.h"
-#include "ui/window/commands.h"
+#include "ui/window/window_commands.h"
 
 namespace viewing {
 

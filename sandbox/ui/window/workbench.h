@@ -21,7 +21,6 @@
 #include "ui/panel/section_links.h"
 #include "ui/parts/stage.h"
 #include "ui/views/views.h"
-#include "ui/window/commands.h"
 #include "ui/window/dialogs.h"
 #include "ui/window/help.h"
 #include "ui/window/matrix_dialog.h"
@@ -29,6 +28,7 @@
 #include "ui/window/preset_picker.h"
 #include "ui/window/search_box.h"
 #include "ui/window/syllables.h"
+#include "ui/window/window_commands.h"
 
 namespace viewing {
 

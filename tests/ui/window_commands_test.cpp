@@ -1,5 +1,5 @@
 // The list of commands: no key means two things at one place, and every command can be reached.
-#include "ui/window/commands.h"
+#include "ui/window/window_commands.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@
 namespace viewing::test {
 namespace {
 
-constexpr Place places[] = {Place::window, Place::lesson, Place::stage, Place::lesson_on_stage};
+constexpr viewing::Place places[] = {viewing::Place::window, viewing::Place::lesson, viewing::Place::stage,
+                                     viewing::Place::lesson_on_stage};
 
 bool is_same(const KeyPress& a, const KeyPress& b) {
     return a.key == b.key && a.ctrl == b.ctrl && a.shift == b.shift;
@@ -16,7 +17,7 @@ bool is_same(const KeyPress& a, const KeyPress& b) {
 
 TEST(CommandsTest, AKeyHasOneCommandAtAPlace) {
     const std::span<const WindowCommand> all = window_commands();
-    for (const Place place : places)
+    for (const viewing::Place place : places)
         for (const WindowCommand& command : all) {
             if (!command.key || !command.is_in(place)) continue;
             const auto rivals = std::count_if(all.begin(), all.end(), [&](const WindowCommand& other) {
@@ -41,28 +42,28 @@ TEST(CommandsTest, KeysAreNamedWithTheirModifiers) {
 }
 
 TEST(CommandsTest, ShiftIsIgnoredUnlessACommandHasIt) {
-    const auto name = [](const KeyPress& press, Place place) {
+    const auto name = [](const KeyPress& press, viewing::Place place) {
         const WindowCommand* const command = command_of(press, place);
         return std::string(command ? command->name : "none");
     };
-    EXPECT_EQ(name({Key::z, true, false}, Place::window), "Undo");
-    EXPECT_EQ(name({Key::z, true, true}, Place::window), "Redo");
-    EXPECT_EQ(name({Key::g, false, true}, Place::window), "The whole scene");
-    EXPECT_EQ(name({Key::escape, false, true}, Place::lesson_on_stage), "Leave the stage");
-    EXPECT_EQ(name({Key::g, true, false}, Place::window), "none");
+    EXPECT_EQ(name({Key::z, true, false}, viewing::Place::window), "Undo");
+    EXPECT_EQ(name({Key::z, true, true}, viewing::Place::window), "Redo");
+    EXPECT_EQ(name({Key::g, false, true}, viewing::Place::window), "The whole scene");
+    EXPECT_EQ(name({Key::escape, false, true}, viewing::Place::lesson_on_stage), "Leave the stage");
+    EXPECT_EQ(name({Key::g, true, false}, viewing::Place::window), "none");
 }
 
 TEST(CommandsTest, AKeyMeansWhatItsPlaceIsFor) {
-    const auto name = [](Key key, Place place) {
+    const auto name = [](Key key, viewing::Place place) {
         const WindowCommand* const command = command_of({key}, place);
         return std::string(command ? command->name : "none");
     };
-    EXPECT_EQ(name(Key::l, Place::window), "Level: no roll");
-    EXPECT_EQ(name(Key::l, Place::stage), "Pointer, then spotlight");
-    EXPECT_EQ(name(Key::home, Place::stage), "Starting view");
-    EXPECT_EQ(name(Key::home, Place::lesson), "Restore the step's state");
-    EXPECT_EQ(name(Key::x, Place::lesson), "none") << "it shows the state before, while it is held";
-    EXPECT_EQ(name(Key::f1, Place::stage), "none") << "no help before an audience";
+    EXPECT_EQ(name(Key::l, viewing::Place::window), "Level: no roll");
+    EXPECT_EQ(name(Key::l, viewing::Place::stage), "Pointer, then spotlight");
+    EXPECT_EQ(name(Key::home, viewing::Place::stage), "Starting view");
+    EXPECT_EQ(name(Key::home, viewing::Place::lesson), "Restore the step's state");
+    EXPECT_EQ(name(Key::x, viewing::Place::lesson), "none") << "it shows the state before, while it is held";
+    EXPECT_EQ(name(Key::f1, viewing::Place::stage), "none") << "no help before an audience";
 }
 
 TEST(CommandsTest, MenusFindTheirCommandsByName) {
