@@ -236,7 +236,8 @@ double Studio::next_redraw_in_s() const {
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking ||
                        judge_.computes_model();
-    if (busy || inspection_.reads_back()) return busy ? 0.0 : 0.05;
+    if (busy) return 0.0;
+    if (inspection_.reads_back()) return 0.05;
     if (works) return 0.1;  // shows the progress; the end of background work wakes the window
     const double recorded_s = workbench.recorder.seconds();
     double in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));

@@ -130,14 +130,15 @@ void Workbench::set_lesson_stage() {
 bool Workbench::take_key_of_page(const KeyPress& press, Session& session) {
     const bool searches = press.ctrl && press.key == Key::p && !typed_matrix_.is_open() && !presenter.is_blank();
     if (searches) return false;
-    const bool covers_exercise = typed_matrix_.is_open() || exercise_page.is_open();
-    if (!covers_exercise && !start_page.is_open()) return presenter.take(press, guide, session);
-    if (press.key == Key::escape) {
-        if (typed_matrix_.is_open())
-            typed_matrix_.close();
-        else
-            covers_exercise ? exercise_page.close() : start_page.close();
-    }
+    const bool is_covered = typed_matrix_.is_open() || exercise_page.is_open() || start_page.is_open();
+    if (!is_covered) return presenter.take(press, guide, session);
+    const bool closes = press.key == Key::escape;
+    if (closes && typed_matrix_.is_open())
+        typed_matrix_.close();
+    else if (closes && exercise_page.is_open())
+        exercise_page.close();
+    else if (closes)
+        start_page.close();
     return press.key != Key::f11;
 }
 

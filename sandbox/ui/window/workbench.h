@@ -145,7 +145,7 @@ private:
     void toggle_caption(const Session& session);
     /// Opens the preset that is `places` positions after the open one, if there is one.
     void turn_preset(int places, Session& session);
-    /// Takes back the latest of these: the lesson's end, a replay, a maximized view, a followed point.
+    /// Takes back the first of these that there is: the lesson's end, a replay, a maximized view, a followed point.
     void take_back(Session& session);
     void draw_top_bar(const CommandContext& context, const Layout& layout, const PresetPicture& picture);
     void draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture);
