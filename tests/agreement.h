@@ -19,6 +19,7 @@
 #include "platform/sanitized.h"
 #include "state/file/document.h"
 #include "state/scene.h"
+#include "trials.h"
 
 namespace viewing {
 
@@ -157,14 +158,14 @@ private:
     std::vector<std::string> seen_;
 };
 
-/// Checks `count` versions of each document, of which the first is unchanged; a tenth as many under the sanitizers.
+/// Checks trials(`count`) versions of each document, of which the first is unchanged; a tenth as many under sanitizers.
 /// `complaint` returns the reader's error message, or "". `only_reader`: parts of messages about rules that a schema
 /// cannot express, so that only the reader refuses such a document.
 inline void expect_agreement(const std::string& schema, const std::vector<Json>& documents, int count, unsigned seed,
                              const std::function<std::string(const std::string& text)>& complaint,
                              const std::vector<std::string>& only_reader) {
     std::cout << "seed " << seed << '\n';
-    if (is_sanitized) count = std::max(count / 10, 2);
+    count = std::max(trials(count) / (is_sanitized ? 10 : 1), 2);
     OneChange change(seed);
     std::vector<std::string> texts, complaints;
     for (const Json& document : documents)

@@ -22,3 +22,8 @@ inline void check_json(bool is_true, const char* condition) {
 
 #define JSON_ASSERT(condition) viewing::check_json(static_cast<bool>(condition), #condition)
 #include <nlohmann/json.hpp>
+
+// Compiled once, in json.cpp. Otherwise each program gets the copy of one of its sources, which may not be optimized.
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+extern template class nlohmann::detail::serializer<nlohmann::ordered_json>;
+extern template class std::vector<nlohmann::ordered_json>;

@@ -14,6 +14,7 @@
 #include "gl/debug.h"
 #include "gl/egl_context.h"
 #include "render/renderer.h"
+#include "trials.h"
 #include "unit/frame/frame_test.h"
 
 namespace viewing::testing {
@@ -48,12 +49,6 @@ inline glm::ivec2 pixel_of(const glm::dvec3& point, const Derived& derived, glm:
 /// Returns a setting such as "depth.format=d24", in the form that params_with() takes.
 inline std::string setting(const std::string& path, std::string_view value) {
     return path + "=" + std::string(value);
-}
-
-/// Returns the number of trials in a test; VIEWING_LONG_TESTS=N multiplies it by N.
-inline int trials(int usual) {
-    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    return usual * std::max(longer ? std::atoi(longer) : 1, 1);
 }
 
 class GlTest : public ::testing::Test {

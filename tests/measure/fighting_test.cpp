@@ -62,12 +62,11 @@ Params random_depth(Random& random, DepthFormat format, DepthMapping mapping, bo
 
 TEST_F(Fighting, BeginsWithinAFactorOfThreeOfThePrediction) {
     Random random(seed);
-    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    const int trials = 6 * std::max(longer ? std::atoi(longer) : 1, 1);
+    const int cases = trials(6);
     for (int format = 0; format < 12; ++format) {
         for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
             double lowest = 1e9, highest = 0.0;
-            for (int trial = 0; trial < trials; ++trial) {
+            for (int trial = 0; trial < cases; ++trial) {
                 const Params params = random_depth(random, static_cast<DepthFormat>(format), mapping, trial % 3 == 2);
                 const double near = params.projection.near, far = params.projection.far;
                 double distance = near;

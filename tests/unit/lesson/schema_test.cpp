@@ -25,8 +25,8 @@ TEST(LessonSchemas, OfALectureAcceptsWhatTheReaderAccepts) {
         "neither a file nor a lesson",      "no such preset",        "has no step",
         "must be a whole number from 1 to", "must be a lesson's id", "is a lecture",
         "must be the name of a preset"};
-    expect_agreement(lecture_schema(), {small}, 300, 71, complaint, only_reader);
-    expect_agreement(lecture_schema(), files_of("lectures"), 30, 74, complaint, only_reader);
+    expect_agreement(lecture_schema(), {small}, 100, 71, complaint, only_reader);
+    expect_agreement(lecture_schema(), files_of("lectures"), 8, 74, complaint, only_reader);
 }
 
 TEST(LessonSchemas, OfALessonAcceptsWhatTheReaderAccepts) {
@@ -52,7 +52,7 @@ TEST(LessonSchemas, OfALessonAcceptsWhatTheReaderAccepts) {
                                                "there is no exercise",
                                                "another step has the id",
                                                "must be the name of a preset"};
-    expect_agreement(lesson_schema(), files_of("lessons"), 60, 75, complaint, only_reader);
+    expect_agreement(lesson_schema(), files_of("lessons"), 12, 75, complaint, only_reader);
 }
 
 TEST(LessonSchemas, OfAnExerciseAcceptsWhatTheReaderAccepts) {

@@ -8,6 +8,7 @@
 #include "state/file/link.h"
 #include "state/file/state_json.h"
 #include "state/presets.h"
+#include "trials.h"
 
 namespace viewing {
 namespace {
@@ -55,10 +56,9 @@ TEST(Link, EveryPresetRoundTrips) {
     EXPECT_LT(link_fragment(Params{}).size(), 30U);
 }
 
-/// Under sanitizers, the test tries only a hundred states.
-TEST(Link, AThousandRandomStatesRoundTrip) {
+TEST(Link, RandomStatesRoundTrip) {
     testing::RandomParams random(23);
-    for (int i = 0; i < (is_sanitized ? 100 : 1000); ++i) {
+    for (int i = 0; i < trials(is_sanitized ? 100 : 300); ++i) {
         SCOPED_TRACE(i);
         expect_back(random.make());
     }

@@ -157,8 +157,8 @@ TEST_F(SuiteSchema, RefusesWhatTheReaderRefusesAfterOneChange) {
         "there is no ", "the same file name", "tests nothing",          "cannot fail",           "twice",
         ": size: ",     "only ui.",           "must not be the folder", "must be another folder"};
     const auto reader = [&](const std::string& text) { return complaint(text); };
-    expect_agreement(suite_schema(), {written}, 800, 2025, reader, only_reader);
-    expect_agreement(suite_schema(), {parse_document(*read_text_file(golden), "")}, 60, 2026, reader, only_reader);
+    expect_agreement(suite_schema(), {written}, 200, 2025, reader, only_reader);
+    expect_agreement(suite_schema(), {parse_document(*read_text_file(golden), "")}, 15, 2026, reader, only_reader);
 }
 
 }  // namespace
