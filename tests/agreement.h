@@ -165,7 +165,7 @@ inline void expect_agreement(const std::string& schema, const std::vector<Json>&
                              const std::function<std::string(const std::string& text)>& complaint,
                              const std::vector<std::string>& only_reader) {
     std::cout << "seed " << seed << '\n';
-    count = std::max(trials(count) / (is_sanitized ? 10 : 1), 2);
+    count = std::max(testing::trials(count) / (is_sanitized ? 10 : 1), 2);
     OneChange change(seed);
     std::vector<std::string> texts, complaints;
     for (const Json& document : documents)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace viewing {
+namespace viewing::testing {
 
 /// Returns the number of trials in a test; VIEWING_LONG_TESTS=N multiplies it by N.
 inline int trials(int usual) {
@@ -12,4 +12,4 @@ inline int trials(int usual) {
     return usual * std::max(longer ? std::atoi(longer) : 1, 1);
 }
 
-}  // namespace viewing
+}  // namespace viewing::testing

@@ -32,7 +32,7 @@ protected:
         for (int frame = 0; frame < 5; ++frame) studio.frame({.size_px = size_px, .shows_time = true, .input = input});
         recorder.begin();
         Recorded recorded;
-        for (int frame = 0; frame < trials(25); ++frame) {
+        for (int frame = 0; frame < testing::trials(25); ++frame) {
             input.dt_s = 0.01 + 0.001 * pick(30);
             if (pick(4) == 0) {
                 static constexpr Key keys[] = {Key::w, Key::s, Key::a, Key::d, Key::r, Key::q, Key::left, Key::up};

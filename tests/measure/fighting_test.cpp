@@ -62,7 +62,7 @@ Params random_depth(Random& random, DepthFormat format, DepthMapping mapping, bo
 
 TEST_F(Fighting, BeginsWithinAFactorOfThreeOfThePrediction) {
     Random random(seed);
-    const int cases = trials(6);
+    const int cases = testing::trials(6);
     for (int format = 0; format < 12; ++format) {
         for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
             double lowest = 1e9, highest = 0.0;

@@ -242,7 +242,7 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     desk.apply_looks();
     const bool is_wide = GetParam().size.x > 1.5F * GetParam().size.y;
     const float least_share = is_wide ? 0.44F : 0.38F;
-    const std::size_t stride = trials(1) > 1 ? 1 : 3;
+    const std::size_t stride = testing::trials(1) > 1 ? 1 : 3;
     std::size_t count = 0;
     std::vector<float> shares;
     for (const LessonFile& file : lessons()) {

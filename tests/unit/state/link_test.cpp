@@ -58,7 +58,7 @@ TEST(Link, EveryPresetRoundTrips) {
 
 TEST(Link, RandomStatesRoundTrip) {
     testing::RandomParams random(23);
-    for (int i = 0; i < trials(is_sanitized ? 100 : 300); ++i) {
+    for (int i = 0; i < testing::trials(is_sanitized ? 100 : 300); ++i) {
         SCOPED_TRACE(i);
         expect_back(random.make());
     }
