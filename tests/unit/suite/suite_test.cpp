@@ -91,7 +91,7 @@ TEST(Shards, HaveEachEntryOnceAndEqualTimes) {
 }
 
 /// Provides a script that plays the worker: it reads "entry": N and behaves as N says.
-class Workers : public testing::Test {
+class Workers : public ::testing::Test {
 protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("suite-worker-" + std::to_string(::getpid()));
