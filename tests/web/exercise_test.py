@@ -35,7 +35,8 @@ class Exercise(student.Student, browser.Test):
 
     def test_an_exercise_is_answered_saved_and_graded(self):
         page = self.page
-        self.open_exercise()
+        self.sign_in()
+        self.choose_exercise()
 
         right = shadow_matrix(page.field("plane.equation"), page.field("light.position"))
         self.type_matrix([list(column) for column in zip(*right)])

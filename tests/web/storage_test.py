@@ -10,8 +10,8 @@ from selenium.common.exceptions import WebDriverException
 import browser
 import native
 import student
+from student import KEPT
 
-KEPT = "viewing-sandbox:/home/web_user/.config/viewing-sandbox/"
 ANSWERS = f"answers/{student.COURSE}~{student.NUMBER}.json"
 
 FILL = """(() => {
