@@ -44,7 +44,7 @@ public:
         if (shown == "-" && has_minus_) shown = "−";
         if (shown == "*") shown = has_dot_ ? "·" : "*";
         if (!open_ || level != level_ || color != color_) Open(level, color);
-        if (!open_ || out_.bytes + static_cast<int>(shown.size()) > FormulaLayout::max_bytes) return;
+        if (!open_ || out_.bytes + std::ssize(shown) > FormulaLayout::max_bytes) return;
         std::copy(shown.begin(), shown.end(), out_.text + out_.bytes);
         out_.bytes += static_cast<int>(shown.size());
         out_.pieces[out_.piece_count - 1].end = static_cast<short>(out_.bytes);

@@ -16,6 +16,7 @@
 
 #include "gl/dialect.h"
 #include "grading/state_numbers.h"
+#include "platform/background.h"
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "topics/depth/shown/pixel_words.h"
@@ -25,8 +26,7 @@
 namespace viewing {
 namespace {
 
-constexpr double slow_ms = 80.0;                          // a frame this slow no longer keeps up with a drag
-constexpr auto a_moment = std::chrono::milliseconds(30);  // of work in one frame, not felt while nothing is dragged
+constexpr double slow_ms = 80.0;  // a frame this slow no longer keeps up with a drag
 
 /// Returns the shorter of two delays until a redraw; a negative delay means never.
 double sooner(double a_s, double b_s) {

@@ -95,7 +95,7 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
     const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
     if (rect.empty()) return std::monostate{};
     const LowerView& lower = lower_view(shown.params, slot);
-    View& view = lower_[static_cast<std::size_t>(slot)];
+    View& view = lower_[slot];
     if (lower.camera) {
         const ObserverView camera = lower.camera(shown.params, shown.derived, scene, rect);
         return render(plan_observer(shown.params, shown.derived, camera), scene, rect.size_px(), view);

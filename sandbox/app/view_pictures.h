@@ -7,6 +7,7 @@
 
 #include "app/shown_frame.h"
 #include "render/renderer.h"
+#include "text/per_enum.h"
 #include "ui/views/views.h"
 
 namespace viewing {
@@ -44,7 +45,7 @@ private:
     Renderer& renderer_;
     std::optional<Color> background_;
     View camera_, beside_;
-    std::array<View, 2> lower_;  ///< one per Slot
+    PerEnum<Slot, View, 2> lower_;
     std::array<View, mirror_way_count> mirror_way_views_;
     std::shared_ptr<const MirrorWays> mirror_ways_;
     std::array<View, 3> after_pass_;  ///< color, depth and stencil

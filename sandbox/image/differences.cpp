@@ -47,11 +47,11 @@ std::span<const std::uint8_t> Differences::row(int y) {
 }
 
 bool Differences::has_like(const Image& from, int x, int y, const Image& other) const {
-    const std::uint8_t* pixel = from.row(y) + 4 * static_cast<std::size_t>(x);
+    const std::uint8_t* pixel = from.pixel(x, y);
     const int reach = options_.reach_px;
     for (int v = std::max(y - reach, 0); v <= std::min(y + reach, height - 1); ++v)
         for (int u = std::max(x - reach, 0); u <= std::min(x + reach, width - 1); ++u) {
-            const std::uint8_t* near = other.row(v) + 4 * static_cast<std::size_t>(u);
+            const std::uint8_t* near = other.pixel(u, v);
             int worst = 0;
             for (int channel = 0; channel < 4; ++channel)
                 worst = std::max(worst, std::abs(pixel[channel] - near[channel]));

@@ -17,6 +17,8 @@ struct Image {
     std::size_t row_bytes() const { return static_cast<std::size_t>(width) * 4; }
     const std::uint8_t* row(int y) const { return rgba.data() + row_bytes() * static_cast<std::size_t>(y); }
     std::uint8_t* row(int y) { return rgba.data() + row_bytes() * static_cast<std::size_t>(y); }
+    const std::uint8_t* pixel(int x, int y) const { return row(y) + 4 * static_cast<std::size_t>(x); }
+    std::uint8_t* pixel(int x, int y) { return row(y) + 4 * static_cast<std::size_t>(x); }
     bool operator==(const Image&) const = default;
 };
 
@@ -33,7 +35,7 @@ inline Image cropped(const Image& image, int left, int top, int right, int botto
     Image part{std::clamp(right, left + 1, image.width) - left, std::clamp(bottom, top + 1, image.height) - top, {}};
     part.rgba.reserve(part.row_bytes() * static_cast<std::size_t>(part.height));
     for (int y = top; y < top + part.height; ++y) {
-        const std::uint8_t* first = image.row(y) + static_cast<std::size_t>(left) * 4;
+        const std::uint8_t* first = image.pixel(left, y);
         part.rgba.insert(part.rgba.end(), first, first + part.row_bytes());
     }
     return part;

@@ -147,8 +147,8 @@ bool is_resampled_edge(const Image& a, const Image& b, int x, int y, int worst) 
     const auto is_edge = [worst](const ChannelRange& range) { return range.size() > worst; };
     if (std::none_of(in_a.begin(), in_a.end(), is_edge) || std::none_of(in_b.begin(), in_b.end(), is_edge))
         return false;
-    const std::uint8_t* pixel_a = a.row(y) + 4 * static_cast<std::size_t>(x);
-    const std::uint8_t* pixel_b = b.row(y) + 4 * static_cast<std::size_t>(x);
+    const std::uint8_t* pixel_a = a.pixel(x, y);
+    const std::uint8_t* pixel_b = b.pixel(x, y);
     for (std::size_t c = 0; c < channels; ++c) {
         if (std::abs(pixel_a[c] - pixel_b[c]) <= worst) continue;
         const int beyond = std::max(in_a[c].beyond(pixel_b[c]), in_b[c].beyond(pixel_a[c]));

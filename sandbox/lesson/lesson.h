@@ -13,17 +13,18 @@
 #include "state/closed_set.h"
 #include "state/person/language.h"
 #include "state/presets.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 
 /// A text in English and in the file's other languages.
 struct LessonText {
-    std::array<std::string, language_count> by_language;
+    PerEnum<Language, std::string, language_count> by_language;
     bool empty() const { return in_english().empty(); }
     const std::string& in_english() const { return by_language.front(); }
     /// Returns the text in that language; English if the file lacks it.
     const std::string& in(Language language) const {
-        const std::string& text = by_language[static_cast<std::size_t>(language)];
+        const std::string& text = by_language[language];
         return text.empty() ? in_english() : text;
     }
     /// Returns the text in the current language.

@@ -5,6 +5,7 @@
 #include "lesson/questions/question_kind.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
+#include "text/per_enum.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -95,16 +96,15 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
 }
 
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {
-    static constexpr const char* phases[] = {marked("asking"), marked("showing"), marked("answered"),
-                                             marked("end of the lesson")};
+    static constexpr auto phases =
+        per_enum<StepPhase>(marked("asking"), marked("showing"), marked("answered"), marked("end of the lesson"));
     const Lesson& lesson = run.lesson();
     const LessonStep& step = run.step();
     Notes notes;
     notes.title = lesson.title.shown();
     notes.place =
         lesson.lecture ? part_text(run) : std::to_string(run.index() + 1) + " / " + std::to_string(lesson.steps.size());
-    if (!step.only_shows() || phase == StepPhase::ended)
-        notes.place += std::string(" · ") + tr(phases[static_cast<std::size_t>(phase)]);
+    if (!step.only_shows() || phase == StepPhase::ended) notes.place += std::string(" · ") + tr(phases[phase]);
     notes.place += " · " + time_text(lesson, presented_s);
     if (lesson.lecture) {
         notes.title += " · " + lesson.lecture->parts[lesson.lecture->part_of(run.index())].title.shown();

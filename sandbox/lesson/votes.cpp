@@ -74,7 +74,7 @@ std::vector<int> vote_shares(const VoteCounts& votes) {
 Ballot::Ballot(std::size_t choices) : votes_{VoteCounts(choices, 0), VoteCounts(choices, 0)} {}
 
 void Ballot::change_to(VoteCounts votes) {
-    VoteCounts& now = votes_[static_cast<std::size_t>(round_)];
+    VoteCounts& now = votes_[round_];
     if (votes == now) return;
     past_.push_back({round_, std::move(now)});
     now = std::move(votes);
@@ -102,7 +102,7 @@ void Ballot::take(const VoteCounts& typed) {
 bool Ballot::undo() {
     if (past_.empty()) return false;
     round_ = past_.back().round;
-    votes_[static_cast<std::size_t>(round_)] = std::move(past_.back().votes);
+    votes_[round_] = std::move(past_.back().votes);
     past_.pop_back();
     return true;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "text/per_enum.h"
 #include "text/result.h"
 
 namespace viewing {
@@ -32,7 +33,7 @@ public:
     /// The vote that is being counted.
     VoteRound round() const { return round_; }
     void begin(VoteRound round) { round_ = round; }
-    const VoteCounts& votes(VoteRound round) const { return votes_[static_cast<std::size_t>(round)]; }
+    const VoteCounts& votes(VoteRound round) const { return votes_[round]; }
     const VoteCounts& votes() const { return votes(round_); }
     bool has_votes(VoteRound round) const { return total_votes(votes(round)) > 0; }
 
@@ -53,7 +54,7 @@ private:
     void change_to(VoteCounts votes);
 
     VoteRound round_ = VoteRound::before_discussion;
-    std::array<VoteCounts, 2> votes_;
+    PerEnum<VoteRound, VoteCounts, 2> votes_;
     std::vector<Past> past_;
 };
 

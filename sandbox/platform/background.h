@@ -3,6 +3,7 @@
 // desktop/background.cpp.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -15,6 +16,9 @@
 #include "text/result.h"
 
 namespace viewing {
+
+/// How long the window's own thread may work for a task in one frame: not felt while nothing is dragged.
+inline constexpr auto a_moment = std::chrono::milliseconds(30);
 
 /// Sets a function that the work's thread calls whenever work ends, to wake a window that sleeps until something
 /// happens. Null removes the function.

@@ -340,7 +340,7 @@ Result<IdImage> Renderer::read_polygon_ids(const FramePlan& plan, const Scene& s
     IdImage image(bytes.width, bytes.height);
     for (int y = 0; y < bytes.height; ++y)
         for (int x = 0; x < bytes.width; ++x) {
-            const std::uint8_t* at = bytes.row(y) + 4 * static_cast<std::size_t>(x);
+            const std::uint8_t* at = bytes.pixel(x, y);
             image.ids[image.index(x, y)] = at[0] + 256 * at[1] + 65536 * at[2] - 1;
         }
     return image;

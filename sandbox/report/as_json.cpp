@@ -1,6 +1,7 @@
 #include "report/as_json.h"
 
 #include "text/numbers.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 
@@ -37,7 +38,7 @@ Json as_json(const std::vector<Problem>& problems) {
 }
 
 Json details_of(const std::vector<Problem>& problems) {
-    static constexpr const char* kinds[] = {"wrong", "note", "window"};
+    static constexpr auto kinds = per_enum<ProblemKind>("wrong", "note", "window");
     Json details = Json::array();
     for (const Problem& problem : problems) {
         Json values = Json::object();
@@ -46,7 +47,7 @@ Json details_of(const std::vector<Problem>& problems) {
             values[name] = number ? Json(*number) : Json(text);
         }
         details.push_back({{"id", problem.id},
-                           {"kind", kinds[static_cast<std::size_t>(problem.kind)]},
+                           {"kind", kinds[problem.kind]},
                            {"values", std::move(values)},
                            {"say", say(problem.sentence)},
                            {"fix", problem.fixed_by.empty() ? Json() : Json(problem.fixed_by)}});

@@ -13,6 +13,7 @@
 #include "suite/picture_script.h"
 #include "text/hash.h"
 #include "text/numbers.h"
+#include "text/per_enum.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -64,9 +65,8 @@ public:
 private:
     void worsen(Outcome outcome, std::string reason) {
         // A difference outweighs a new entry; a failure outweighs both.
-        static constexpr std::array<int, outcome_count> weight{0, 2, 1, 3, 0};
-        if (weight[static_cast<std::size_t>(outcome)] > weight[static_cast<std::size_t>(result_.outcome)])
-            result_.outcome = outcome;
+        static constexpr PerEnum<Outcome, int, outcome_count> weight{0, 2, 1, 3, 0};
+        if (weight[outcome] > weight[result_.outcome]) result_.outcome = outcome;
         result_.reasons.push_back(std::move(reason));
     }
 

@@ -27,7 +27,7 @@ Image picture() {
                               : y < 400    ? 24
                               : light_tile ? 120
                                            : 90;
-            std::uint8_t* pixel = image.row(y) + 4 * static_cast<std::size_t>(x);
+            std::uint8_t* pixel = image.pixel(x, y);
             pixel[0] = static_cast<std::uint8_t>(level);
             pixel[1] = static_cast<std::uint8_t>(level * 3 / 4);
             pixel[2] = static_cast<std::uint8_t>(level / 2);

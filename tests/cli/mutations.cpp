@@ -16,7 +16,7 @@ using viewing::Image;
 namespace {
 
 std::uint8_t* pixel(Image& image, int x, int y) {
-    return image.row(y) + 4 * static_cast<std::size_t>(x);
+    return image.pixel(x, y);
 }
 
 double light_of(double level) {

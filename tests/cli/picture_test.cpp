@@ -384,7 +384,7 @@ TEST_F(Inspect, TheColorIsThatOfThePicture) {
         for (int y = 3; y < 48; y += 11)
             for (int x = 2; x < 64; x += 9) {
                 inspecting.insert(inspecting.end(), {"--pixel", std::to_string(x) + "," + std::to_string(y)});
-                const std::uint8_t* const color = picture.row(y) + 4 * static_cast<std::size_t>(x);
+                const std::uint8_t* const color = picture.pixel(x, y);
                 char text[8];
                 std::snprintf(text, sizeof text, "#%02x%02x%02x", color[0], color[1], color[2]);
                 expected.emplace_back(text);

@@ -22,7 +22,7 @@ namespace viewing::testing {
 using Rgb = glm::ivec3;
 
 inline Rgb rgb_at(const Image& image, glm::ivec2 pixel) {
-    const std::uint8_t* at = image.row(pixel.y) + 4 * static_cast<std::size_t>(pixel.x);
+    const std::uint8_t* at = image.pixel(pixel.x, pixel.y);
     return {at[0], at[1], at[2]};
 }
 

@@ -12,8 +12,7 @@ namespace {
 
 TEST(MatricesColumn, FitsAndGivesTheFirstOnesTheRoom) {
     std::mt19937 random(3501);
-    const std::array<float, 3> heights = {30.0F, 120.0F, 190.0F};
-    const auto height_of = [&](MatrixPart part) { return heights[static_cast<std::size_t>(part)]; };
+    const PerEnum<MatrixPart, float, 3> heights = {30.0F, 120.0F, 190.0F};
     for (int trial = 0; trial < 500; ++trial) {
         const float room = std::uniform_real_distribution<float>(120.0F, 900.0F)(random);
         std::vector<std::string> first;
@@ -21,13 +20,13 @@ TEST(MatricesColumn, FitsAndGivesTheFirstOnesTheRoom) {
             if (random() % 2 == 0) first.emplace_back(name);
         const std::array<MatrixPart, 4> parts = fit_matrices(room, heights, first);
         const float used = std::accumulate(parts.begin(), parts.end(), 0.0F,
-                                           [&](float sum, MatrixPart part) { return sum + height_of(part); });
+                                           [&](float sum, MatrixPart part) { return sum + heights[part]; });
         SCOPED_TRACE(room);
         EXPECT_LE(used, room);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const bool is_first = std::find(first.begin(), first.end(), matrices_in_order[i]) != first.end();
             // Nothing that fits is left out.
-            EXPECT_TRUE(parts[i] != MatrixPart::heading || used + height_of(MatrixPart::numbers) - heights[0] > room);
+            EXPECT_TRUE(parts[i] != MatrixPart::heading || used + heights[MatrixPart::numbers] - heights[0] > room);
             for (std::size_t j = 0; j < parts.size(); ++j) {
                 const bool is_other_first = std::find(first.begin(), first.end(), matrices_in_order[j]) != first.end();
                 EXPECT_TRUE(!is_first || is_other_first || parts[i] >= parts[j]) << i << " before " << j;

@@ -11,17 +11,13 @@ namespace {
 constexpr viewing::Place places[] = {viewing::Place::window, viewing::Place::lesson, viewing::Place::stage,
                                      viewing::Place::lesson_on_stage};
 
-bool is_same(const KeyPress& a, const KeyPress& b) {
-    return a.key == b.key && a.ctrl == b.ctrl && a.shift == b.shift;
-}
-
 TEST(CommandsTest, AKeyHasOneCommandAtAPlace) {
     const std::span<const WindowCommand> all = window_commands();
     for (const viewing::Place place : places)
         for (const WindowCommand& command : all) {
             if (!command.key || !command.is_in(place)) continue;
             const auto rivals = std::count_if(all.begin(), all.end(), [&](const WindowCommand& other) {
-                return other.key && other.is_in(place) && is_same(*other.key, *command.key);
+                return other.key && other.is_in(place) && *other.key == *command.key;
             });
             EXPECT_EQ(rivals, 1) << key_text(command.key) << " at place " << static_cast<int>(place);
         }

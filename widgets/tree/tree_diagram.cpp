@@ -16,7 +16,7 @@ using inner::Px;
 using inner::TreeCamera;
 
 bool Contains(const TreeDiagramState& state, int node) {
-    return node >= 0 && node < static_cast<int>(state.layout.level.size());
+    return node >= 0 && node < std::ssize(state.layout.level);
 }
 int LevelOf(const TreeDiagramState& state, int node) {
     return Contains(state, node) ? state.layout.level[node] : -1;

@@ -80,7 +80,7 @@ private:
 
     /// Returns the node, or the folded one that hides it; −1 if the node is not in the tree.
     int ShownAncestor(int node) const {
-        if (node >= static_cast<int>(nodes_.size())) return -1;
+        if (node >= std::ssize(nodes_)) return -1;
         while (node >= 0 && LevelOf(node) < 0) node = At(node).parent < node ? At(node).parent : -1;
         return node;
     }

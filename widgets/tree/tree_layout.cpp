@@ -12,7 +12,7 @@ namespace inner {
 TreeChildren ChildrenOf(std::span<const TreeNode> nodes, int parent) {
     const TreeNode& node = nodes[parent];
     const auto checked = [&](int child) {
-        const bool is_child = child > parent && child < static_cast<int>(nodes.size()) && nodes[child].parent == parent;
+        const bool is_child = child > parent && child < std::ssize(nodes) && nodes[child].parent == parent;
         return is_child ? child : -1;
     };
     return {checked(node.front), node.back == node.front ? -1 : checked(node.back)};
@@ -133,7 +133,7 @@ TreeLayout LayOutTree(std::span<const TreeNode> nodes, const std::unordered_set<
     layout.level[0] = 0;
     for (std::size_t i = 0; i < layout.order.size(); ++i) {
         const int node = layout.order[i], level = at(layout.level, node);
-        if (level == static_cast<int>(layout.level_begin.size())) layout.level_begin.push_back(static_cast<int>(i));
+        if (level == std::ssize(layout.level_begin)) layout.level_begin.push_back(static_cast<int>(i));
         const Children children = shown_children(node);
         for (const int child : {children.front, children.back}) {
             if (child < 0) continue;

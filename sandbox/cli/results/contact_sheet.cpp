@@ -30,8 +30,7 @@ Image contact_sheet(const std::vector<SheetPicture>& pictures, int columns) {
         const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
         const int left = margin_px + column * (first.width + margin_px);
         const int top = margin_px + row * (first.height + text_px + 2 * margin_px);
-        for (int y = 0; y < image.height; ++y)
-            std::copy_n(image.row(y), image.row_bytes(), sheet.row(top + y) + static_cast<std::size_t>(left) * 4);
+        for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.row_bytes(), sheet.pixel(left, top + y));
         const std::vector<std::string>& captions = pictures[i].captions;
         const auto fitting = std::find_if(captions.begin(), captions.end(), [&](const std::string& caption) {
             return caption_width_px(caption, text_px) <= first.width;

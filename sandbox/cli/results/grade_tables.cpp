@@ -6,6 +6,7 @@
 #include "cli/results/csv.h"
 #include "state/file/document.h"
 #include "text/numbers.h"
+#include "text/per_enum.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -33,8 +34,8 @@ std::string cell(const ItemGrade& item) {
 }
 
 const char* name_of(Standing standing) {
-    constexpr const char* names[] = {"right", "partly", "wrong", "missing", "other_variant", "not_judged"};
-    return names[static_cast<std::size_t>(standing)];
+    constexpr auto names = per_enum<Standing>("right", "partly", "wrong", "missing", "other_variant", "not_judged");
+    return names[standing];
 }
 
 /// Returns the notes, and the reasons why exercises could not be judged.

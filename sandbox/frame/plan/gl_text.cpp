@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "frame/plan/plan.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 namespace {
@@ -21,14 +22,14 @@ std::string mask_text(int value) {
 }  // namespace
 
 std::string gl_name(CompareFunc func) {
-    static constexpr const char* names[] = {"GL_NEVER",   "GL_LESS",     "GL_EQUAL",  "GL_LEQUAL",
-                                            "GL_GREATER", "GL_NOTEQUAL", "GL_GEQUAL", "GL_ALWAYS"};
-    return names[static_cast<std::size_t>(func)];
+    static constexpr auto names = per_enum<CompareFunc>("GL_NEVER", "GL_LESS", "GL_EQUAL", "GL_LEQUAL", "GL_GREATER",
+                                                        "GL_NOTEQUAL", "GL_GEQUAL", "GL_ALWAYS");
+    return names[func];
 }
 
 std::string gl_name(CullFace face) {
-    static constexpr const char* names[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
-    return names[static_cast<std::size_t>(face)];
+    static constexpr auto names = per_enum<CullFace>("GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK");
+    return names[face];
 }
 
 std::string gl_name(FrontFace front) {
@@ -230,11 +231,11 @@ std::vector<Message> gl_calls(const FramePlan& frame, const Pass& pass, const Pa
     if (!pass.matrices.empty() && pass.matrices != before.matrices)
         calls.add("glUniformMatrix4fv(clip_from_world, " + pass.matrices + ")");
     color_calls(calls, pass, before);
-    static constexpr const char* draws[] = {"drawObjects()", "drawPatch()",  "drawFarSquare()",
-                                            "drawInOrder()", "drawPixels()", "drawDifference()"};
+    static constexpr auto draws = per_enum<Subject>("drawObjects()", "drawPatch()", "drawFarSquare()", "drawInOrder()",
+                                                    "drawPixels()", "drawDifference()");
     calls.add(pass.chosen == Chosen::bases    ? "drawObjectsButDecals()"
               : pass.chosen == Chosen::decals ? "drawDecals()"
-                                              : draws[static_cast<std::size_t>(pass.subject)]);
+                                              : draws[pass.subject]);
     return calls.list;
 }
 

@@ -41,7 +41,7 @@ std::vector<const char*> button_labels(const LessonRun& run, const StripLook& lo
     std::vector<const char*> labels{"◂###back"};
     const bool is_sheet = run.lesson().sheet.has_value();
     labels.push_back(run.is_revealed() || is_sheet ? marked("Next ▸") : marked("Show the answer"));
-    const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
+    const bool has_more_hints = run.hints_shown() < std::ssize(run.step().ask.hints);
     if (!run.is_revealed() && has_more_hints) labels.push_back(marked("Hint"));
     if (look.departs) labels.push_back(marked("Restore"));
     labels.push_back(is_sheet ? marked("All exercises") : marked("All steps"));

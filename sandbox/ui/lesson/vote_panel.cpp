@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/parts/look.h"
 
@@ -31,11 +32,11 @@ struct VoteBar {
 };
 
 /// Returns the votes to draw, with the counts that are being typed.
-std::array<VoteCounts, 2> shown_votes(const Ballot& ballot, const std::string& typed) {
-    std::array<VoteCounts, 2> all{ballot.votes(VoteRound::before_discussion),
-                                  ballot.votes(VoteRound::after_discussion)};
+PerEnum<VoteRound, VoteCounts, 2> shown_votes(const Ballot& ballot, const std::string& typed) {
+    PerEnum<VoteRound, VoteCounts, 2> all{ballot.votes(VoteRound::before_discussion),
+                                          ballot.votes(VoteRound::after_discussion)};
     if (const Result<VoteCounts> counts = typed_votes(typed, ballot.choices()))
-        all[static_cast<std::size_t>(ballot.round())] = ballot.with(*counts);
+        all[ballot.round()] = ballot.with(*counts);
     return all;
 }
 
@@ -132,7 +133,7 @@ bool VotePanel::take(const KeyPress& press, LessonRun& run) {
 void VotePanel::draw(const LessonRun& run, const Rect& room) const {
     if (!is_shown_) return;
     const Ballot& ballot = run.ballot();
-    const std::array<VoteCounts, 2> votes = shown_votes(ballot, typed_);
+    const PerEnum<VoteRound, VoteCounts, 2> votes = shown_votes(ballot, typed_);
     const bool has_second =
         ballot.round() == VoteRound::after_discussion || ballot.has_votes(VoteRound::after_discussion);
     const bool are_two = has_second && ballot.has_votes(VoteRound::before_discussion);
@@ -149,7 +150,7 @@ void VotePanel::draw(const LessonRun& run, const Rect& room) const {
     float number_room = width_of("100 % · 200");
     for (std::size_t choice = 0; choice < ballot.choices(); ++choice)
         for (const VoteRound round : rounds) {
-            const VoteCounts& counts = votes[static_cast<std::size_t>(round)];
+            const VoteCounts& counts = votes[round];
             bars.push_back({choice, round, counts[choice], vote_shares(counts)[choice]});
             number_room = std::max(number_room, width_of(bars.back().text()));
         }
@@ -180,8 +181,7 @@ void VotePanel::draw(const LessonRun& run, const Rect& room) const {
     for (const VoteRound round : rounds) {
         const float side = std::floor(size * 0.7F), top = y + (size - side) * 0.5F;
         draw->AddRectFilled({left, top}, {left + side, top + side}, color_of(round));
-        write(left + side + margin * 0.6F, y, palette().text,
-              round_text(round, total_votes(votes[static_cast<std::size_t>(round)]), has_second));
+        write(left + side + margin * 0.6F, y, palette().text, round_text(round, total_votes(votes[round]), has_second));
         y += line;
     }
     y += between;

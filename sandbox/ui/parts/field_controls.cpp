@@ -40,7 +40,7 @@ struct DrawControl {
     float width() const { return style.width * widgets::CurrentContext().scale; }
     /// Returns the style's width, or more if the chosen name needs it and there is space.
     float choice_width(std::span<const char* const> names, int index) const {
-        if (style.width <= 0.0F || index < 0 || index >= static_cast<int>(names.size())) return width();
+        if (style.width <= 0.0F || index < 0 || index >= std::ssize(names)) return width();
         const float needed = widgets::ChoiceWidth(names.subspan(static_cast<std::size_t>(index), 1));
         return std::max(width(), std::min(needed, ImGui::GetContentRegionAvail().x));
     }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "text/per_enum.h"
+
 namespace viewing {
 
 enum class Key {
@@ -77,17 +79,18 @@ enum class Key {
 struct KeyPress {
     Key key;
     bool ctrl = false, shift = false;
+    bool operator==(const KeyPress&) const = default;
 };
 
 /// The user's input since the last frame. `pressed` holds each key press in order.
 struct FrameInput {
-    std::array<bool, static_cast<std::size_t>(Key::count)> down{};
+    PerEnum<Key, bool, static_cast<std::size_t>(Key::count)> down{};
     std::vector<KeyPress> pressed;
     std::vector<std::filesystem::path> dropped_files;
     bool loses_focus = false;  ///< the window has just lost focus
     double dt_s = 1.0 / 60.0;  ///< time since the last frame, even if the window was idle
 
-    bool is_down(Key key) const { return down[static_cast<std::size_t>(key)]; }
+    bool is_down(Key key) const { return down[key]; }
 };
 
 }  // namespace viewing

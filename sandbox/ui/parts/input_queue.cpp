@@ -113,7 +113,7 @@ void InputQueue::apply(const KeyChanged& event) {
     if (acts(event) && event.kind != KeyKind::edits) keyboard_waits_ = frames_to_take_effect;
     if (event.code < frame_.keys.size()) frame_.keys[event.code] = event.down;
     if (!event.key) return;
-    frame_.input.down[static_cast<std::size_t>(*event.key)] = event.down;
+    frame_.input.down[*event.key] = event.down;
     if (event.down) frame_.input.pressed.push_back({*event.key, event.ctrl, event.shift});
 }
 

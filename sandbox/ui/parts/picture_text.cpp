@@ -57,7 +57,7 @@ public:
                           y = top_px + baseline_px_ + top + row;
                 if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
                 const int share = cover[row * width + column];
-                std::uint8_t* const pixel = image.row(y) + static_cast<std::size_t>(x) * 4;
+                std::uint8_t* const pixel = image.pixel(x, y);
                 for (int channel = 0; channel < 3; ++channel)
                     pixel[channel] = static_cast<std::uint8_t>((pixel[channel] * (255 - share) + level * share) / 255);
             }

@@ -46,7 +46,7 @@ bool words(const char* id, int& index, std::span<const char* const> names, std::
     if (!have_room(names, right)) return widgets::Choice(id, index, names, default_index);  // a list has no tooltips
     bool changed = false;
     ImGui::PushID(id);
-    for (int one = 0; one < static_cast<int>(names.size()); ++one) {
+    for (int one = 0; one < std::ssize(names); ++one) {
         if (one > 0) ImGui::SameLine(0.0F, px(2.0F));
         const bool chosen = one == index;
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().field_active : 0U);

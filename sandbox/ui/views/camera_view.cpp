@@ -8,6 +8,7 @@
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
+#include "text/per_enum.h"
 #include "topics/depth/shown/depth_views.h"
 #include "topics/hidden/shown/hidden_overlay.h"
 #include "topics/planes/shown/derivation_views.h"
@@ -20,8 +21,8 @@
 namespace viewing {
 namespace {
 
-constexpr const char* shows[] = {marked("color"),    marked("depth"),      marked("stencil"),  marked("facing"),
-                                 marked("overdraw"), marked("difference"), marked("fighting"), marked("w of S")};
+constexpr auto shows = per_enum<Shows>(marked("color"), marked("depth"), marked("stencil"), marked("facing"),
+                                       marked("overdraw"), marked("difference"), marked("fighting"), marked("w of S"));
 
 /// Draws the list of what the picture can show, and the options that depend on the choice.
 void view_choices(Params& params, const Rect& rect) {
@@ -269,7 +270,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     const widgets::Group group("view");
     Params& params = session.params;
     if (widgets::HasPlainTitles() && params.view.shows != Shows::color)
-        view_header(rect, tr(shows[static_cast<std::size_t>(params.view.shows)]));
+        view_header(rect, tr(shows[params.view.shows]));
     else if (params.view.beside.shows == Beside::settings && params.view.beside.layout == BesideLayout::halves)
         draw_beside_title(rect, rect.width() - px(150.0F), params, &BesideTitles::camera);
     else

@@ -1,5 +1,6 @@
 #include "ui/window/dialogs.h"
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "ui/parts/look.h"
 
 #include <imgui.h>
@@ -196,11 +197,11 @@ void FileDialog::draw(Session& session) {
     take_listing();
     bool is_done = ends_with_outcome(session);
 
-    static constexpr const char* titles[] = {
-        marked("Open a state (.json, .png, .svg, .pdf), a flight (.json) or a mesh (.obj)"), marked("Save the state"),
-        marked("Save the state as the last step of a lesson"), marked("Open answers to exercises (.json)"),
-        marked("Save the answers to hand in")};
-    dialog_title(titles[static_cast<std::size_t>(purpose_)]);
+    static constexpr auto titles =
+        per_enum<Purpose>(marked("Open a state (.json, .png, .svg, .pdf), a flight (.json) or a mesh (.obj)"),
+                          marked("Save the state"), marked("Save the state as the last step of a lesson"),
+                          marked("Open answers to exercises (.json)"), marked("Save the answers to hand in"));
+    dialog_title(titles[purpose_]);
     widgets::Note(folder_.string().c_str());
     const float below = ImGui::GetFrameHeightWithSpacing() * 2.0F + px(error_.empty() ? 8.0F : 44.0F);
     ImGui::BeginChild("entries", {0.0F, -below}, true);

@@ -5,6 +5,7 @@
 
 #include "state/file/state_json.h"
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "text/words.h"
 #include "ui/parts/field_controls.h"
 #include "ui/views/lower_view.h"
@@ -96,9 +97,10 @@ void add_lesson(Entries& entries, const LessonFile& lesson, std::size_t number) 
 }  // namespace
 
 const char* name_of_kind(EntryKind kind) {
-    static constexpr std::array names = {marked("command"), marked("setting"), marked("mistake"), marked("preset"),
-                                         marked("view"),    marked("lesson"),  marked("step"),    marked("exercise")};
-    return names[static_cast<std::size_t>(kind)];
+    static constexpr auto names =
+        per_enum<EntryKind>(marked("command"), marked("setting"), marked("mistake"), marked("preset"), marked("view"),
+                            marked("lesson"), marked("step"), marked("exercise"));
+    return names[kind];
 }
 
 std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLimits& limits, const Params& params) {

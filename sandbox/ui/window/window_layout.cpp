@@ -5,6 +5,7 @@
 
 #include "lesson/target_names.h"
 #include "state/fields.h"
+#include "text/per_enum.h"
 #include "topics/matrices/shown/display_code_view.h"
 #include "topics/matrices/shown/followed_point.h"
 #include "ui/views/lower_view.h"
@@ -62,10 +63,10 @@ BigView big_view(ViewName hovered) {
 }
 
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices) {
-    static constexpr std::array views = {ViewName::none, ViewName::camera, ViewName::lower_left, ViewName::lower_right,
-                                         ViewName::matrices};
+    static constexpr auto views = per_enum<BigView>(ViewName::none, ViewName::camera, ViewName::lower_left,
+                                                    ViewName::lower_right, ViewName::matrices);
     const LayoutParams& layout = params.view.layout;
-    arrangement.maximized = views[static_cast<std::size_t>(layout.big)];
+    arrangement.maximized = views[layout.big];
     Telling& telling = arrangement.telling;
     telling.matrices = static_cast<int>(matrices.size());
     constexpr float with_numbers = 147.0F, with_symbols = 230.0F, heading = 40.0F, line = 20.0F;

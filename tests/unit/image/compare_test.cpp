@@ -20,10 +20,10 @@ Image plain(int width, int height, std::uint8_t level = 100) {
 }
 
 std::uint8_t* pixel(Image& image, int x, int y) {
-    return image.row(y) + 4 * static_cast<std::size_t>(x);
+    return image.pixel(x, y);
 }
 const std::uint8_t* pixel(const Image& image, int x, int y) {
-    return image.row(y) + 4 * static_cast<std::size_t>(x);
+    return image.pixel(x, y);
 }
 
 void fill(Image& image, int x, int y, int width, int height, int change) {

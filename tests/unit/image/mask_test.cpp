@@ -20,7 +20,7 @@ Image noise(int width, int height, unsigned seed) {
 }
 
 std::uint8_t* masked_pixel(Image& image, int x, int y) {
-    return image.row(y) + 4 * static_cast<std::size_t>(x);
+    return image.pixel(x, y);
 }
 
 TEST(Mask, ExcludesNothingByDefault) {

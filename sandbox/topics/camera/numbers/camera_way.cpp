@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "topics/depth/numbers/fragment_depth.h"
 
 namespace viewing {
@@ -41,11 +42,11 @@ glm::dmat4 window_from_ndc(const glm::dvec2& size_px, bool zero_to_one) {
 }
 
 const char* outcome_of(FrustumPlane plane) {
-    static constexpr std::array texts = {marked("inside the frustum"),       marked("cut off by the near plane"),
-                                         marked("cut off by the far plane"), marked("left of the picture"),
-                                         marked("right of the picture"),     marked("below the picture"),
-                                         marked("above the picture")};
-    return texts[static_cast<std::size_t>(plane)];
+    static constexpr auto texts = per_enum<FrustumPlane>(
+        marked("inside the frustum"), marked("cut off by the near plane"), marked("cut off by the far plane"),
+        marked("left of the picture"), marked("right of the picture"), marked("below the picture"),
+        marked("above the picture"));
+    return texts[plane];
 }
 
 }  // namespace viewing

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "text/words.h"
 #include "topics/camera/numbers/camera_way.h"
 #include "topics/camera/numbers/clip_space.h"
@@ -146,13 +147,13 @@ void draw_rows(ImDrawList* draw, const Rect& rect, const std::array<Row, 4>& row
 /// Returns the clip-space condition for points outside a plane, such as "z < −w"; for `none`, the condition for points
 /// inside all planes.
 const char* condition_of(FrustumPlane plane, bool zero_to_one) {
-    static constexpr const char* conditions[] = {"−w ≤ x, y, z ≤ w", "z < −w", "z > w", "x < −w", "x > w",
-                                                 "y < −w",           "y > w"};
+    static constexpr auto conditions =
+        per_enum<FrustumPlane>("−w ≤ x, y, z ≤ w", "z < −w", "z > w", "x < −w", "x > w", "y < −w", "y > w");
     if (zero_to_one && plane == FrustumPlane::none) return "−w ≤ x, y ≤ w, 0 ≤ z ≤ w";
     // Reversed depth: near is at z = w, far at z = 0.
     if (zero_to_one && plane == FrustumPlane::near) return "z > w";
     if (zero_to_one && plane == FrustumPlane::far) return "z < 0";
-    return conditions[static_cast<std::size_t>(plane)];
+    return conditions[plane];
 }
 
 struct Said {

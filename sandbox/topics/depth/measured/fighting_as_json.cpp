@@ -1,6 +1,7 @@
 #include "topics/depth/measured/fighting_as_json.h"
 
 #include "report/as_json.h"
+#include "text/per_enum.h"
 #include "topics/depth/measured/fighting_measure.h"
 #include "topics/depth/measured/minimum_gap.h"
 
@@ -53,12 +54,13 @@ Json counts_as_json(const FightingCounts& counts) {
 }
 
 /// In the order of CureKind.
-constexpr const char* cure_names[] = {"near", "float", "reversed_float", "logarithmic", "offset", "equal", "stencil"};
+constexpr auto cure_names =
+    per_enum<CureKind>("near", "float", "reversed_float", "logarithmic", "offset", "equal", "stencil");
 
 Json cures_as_json(const std::vector<FightingReport::Cured>& cured) {
     Json cures = Json::array();
     for (const auto& [cure, counts] : cured) {
-        Json json{{"name", cure_names[static_cast<std::size_t>(cure.kind)]}};
+        Json json{{"name", cure_names[cure.kind]}};
         json.update(counts ? counts_as_json(*counts) : Json());
         cures.push_back(std::move(json));
     }

@@ -95,7 +95,6 @@ void FightingCounter::count_next(Renderer& renderer, const Scene& scene) {
 
 void FightingCounter::search(Renderer& renderer, bool may_wait) {
     using Clock = std::chrono::steady_clock;
-    constexpr auto a_moment = std::chrono::milliseconds(30);  // not felt while nothing is dragged
     const Clock::time_point end = Clock::now() + a_moment;
     Status done = std::monostate{};
     while (done && !search_->is_done() && (may_wait || Clock::now() < end)) done = search_->step(renderer);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "state/compare_func.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 namespace {
@@ -92,11 +93,11 @@ std::string bits_text(std::uint32_t stored) {
 
 std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t stored,
                          const DepthPrecision& precision) {
-    static constexpr const char* relations[] = {"", " < ", " = ", " ≤ ", " > ", " ≠ ", " ≥ ", ""};
+    static constexpr auto relations = per_enum<CompareFunc>("", " < ", " = ", " ≤ ", " > ", " ≠ ", " ≥ ", "");
     if (asks_nothing(func)) return gl_name(func);
     const Pair pair =
         precision.is_float ? float_pair(incoming, stored) : Pair{grouped_number(incoming), grouped_number(stored)};
-    return pair.incoming + relations[static_cast<std::size_t>(func)] + pair.stored;
+    return pair.incoming + relations[func] + pair.stored;
 }
 
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {

@@ -38,7 +38,7 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
 /// Returns the call's title, or "…" if the call is unknown: for one frame after a scene change, the calls still belong
 /// to the old scene.
 std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
-    const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
+    const bool is_known = call.pass < plan.passes.size() && call.object < std::ssize(scene.objects);
     return is_known ? say(name_of(call, plan, scene)) : "…";
 }
 

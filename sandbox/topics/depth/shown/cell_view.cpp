@@ -119,7 +119,7 @@ glm::ivec2 pixel_of(const CellBlock& block, int cell) {
 
 /// Whether the view shows the whole frame: the call index is negative or past the last call.
 bool shows_whole_frame(const ViewParams& view, const std::vector<DrawCall>& calls) {
-    return view.call < 0 || view.call >= static_cast<int>(calls.size());
+    return view.call < 0 || view.call >= std::ssize(calls);
 }
 
 /// Draws the two linked grids; returns the cell under the pointer, or −1.
@@ -146,8 +146,7 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
                                      {.lit = lit, .hovered = &under, .size = {rect.width(), rect.height()}});
         if (under < 0) return;
         hovered = under;
-        if (static_cast<std::size_t>(under) < block.cells.size())
-            cell_tooltip(block.cells[under], pixel_of(block, under), precision);
+        if (under < std::ssize(block.cells)) cell_tooltip(block.cells[under], pixel_of(block, under), precision);
     };
     grid("colours", picture.colors, layout.colors);
     grid("depths", picture.depths, layout.depths);

@@ -59,7 +59,7 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
     for (const Fragment& fragment : fragments) {
         const TestText test = test_text(fragment, precision);
         FragmentRow row;
-        row.is_seen = static_cast<int>(rows.size()) == seen;
+        row.is_seen = std::ssize(rows) == seen;
         row.is_close = test.is_close;
         row.is_drawn = fragment.drawn;
         row.swatch = color_of(scene, fragment.object);

@@ -16,7 +16,7 @@ Result<Image> camera_picture(Renderer& renderer, const Params& params, const Sce
 
 /// Returns a pixel's color; (0, 0) is top left.
 inline Color color_at(const Image& picture, glm::ivec2 pixel) {
-    const std::uint8_t* at = picture.row(pixel.y) + 4 * static_cast<std::size_t>(pixel.x);
+    const std::uint8_t* at = picture.pixel(pixel.x, pixel.y);
     return {at[0], at[1], at[2]};
 }
 

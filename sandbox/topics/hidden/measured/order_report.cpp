@@ -2,6 +2,7 @@
 
 #include "report/as_json.h"
 #include "state/fields.h"
+#include "text/per_enum.h"
 #include "topics/hidden/methods/bsp.h"
 #include "topics/hidden/methods/culling.h"
 #include "topics/hidden/methods/hiding.h"
@@ -36,11 +37,11 @@ Json order_of(int count, std::span<const HidingPair> pairs, const Name& name) {
             {"cycle", exists ? Json() : list_of(found.cycle, name)}};
 }
 
-constexpr const char* newell_tests[] = {"depth_extents", "x_extents",       "y_extents",
-                                        "p_behind_q",    "q_in_front_of_p", "projections_disjoint",
-                                        "q_behind_p",    "p_in_front_of_q", "none"};
+constexpr auto newell_tests =
+    per_enum<NewellTest>("depth_extents", "x_extents", "y_extents", "p_behind_q", "q_in_front_of_p",
+                         "projections_disjoint", "q_behind_p", "p_in_front_of_q", "none");
 static_assert(std::size(newell_tests) == newell_test_count);
-constexpr const char* newell_actions[] = {"goes_on", "swaps", "splits", "draws", "forces"};
+constexpr auto newell_actions = per_enum<NewellAction>("goes_on", "swaps", "splits", "draws", "forces");
 
 Json extent_of(const Polygon& polygon, const Viewpoint& viewpoint) {
     const Projected seen = project(polygon, viewpoint, viewpoint.clip_from_world());
@@ -111,8 +112,8 @@ Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::
     const auto extent = [&](int fragment) {
         return fragment < 0 ? Json() : extent_of(newell->fragments[fragment], request.viewpoint);
     };
-    return Json{{"test", newell_tests[static_cast<std::size_t>(reached.decided_by)]},
-                {"action", newell_actions[static_cast<std::size_t>(reached.action)]},
+    return Json{{"test", newell_tests[reached.decided_by]},
+                {"action", newell_actions[reached.action]},
                 {"a", extent(reached.p)},
                 {"b", extent(reached.q)}};
 }

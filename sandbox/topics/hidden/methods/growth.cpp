@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "topics/hidden/methods/growth_bench.h"
 
 namespace viewing {
@@ -129,7 +130,7 @@ private:
 
     /// Decides whether to try the method again.
     void judge(const GrowthRow& row) {
-        Candidate& candidate = candidates_[static_cast<std::size_t>(row.method)];
+        Candidate& candidate = candidates_[row.method];
         candidate.too_many = row.polygons;
         if (!row.problem.empty()) {
             candidate.too_much = TooMuch::polygons;
@@ -138,7 +139,7 @@ private:
         }
         const bool is_build = row.method == GrowthMethod::bsp_build;
         if (is_build && !row.problem.empty()) {
-            candidates_[static_cast<std::size_t>(GrowthMethod::bsp_walk)].too_much = TooMuch::missing_tree;
+            candidates_[GrowthMethod::bsp_walk].too_much = TooMuch::missing_tree;
         }
     }
 
@@ -164,7 +165,7 @@ private:
     }
 
     void add_last_row(GrowthMethod method, int count) {
-        Candidate& candidate = candidates_[static_cast<std::size_t>(method)];
+        Candidate& candidate = candidates_[method];
         candidate.is_over = true;
         add({.method = method,
              .polygons = count,
@@ -182,7 +183,7 @@ private:
     const std::function<void(const GrowthRow&)>& on_row_;
     std::vector<int> counts_;  ///< ascending
     double counts_done_ = 0.0, all_counts_ = 0.0;
-    std::array<Candidate, growth_method_count> candidates_;
+    PerEnum<GrowthMethod, Candidate, growth_method_count> candidates_{};
     std::vector<GrowthRow> rows_;
 };
 

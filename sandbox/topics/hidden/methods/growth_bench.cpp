@@ -7,6 +7,7 @@
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 #include "platform/stopwatch.h"
+#include "text/per_enum.h"
 #include "topics/hidden/methods/newell.h"
 #include "topics/hidden/methods/painter.h"
 #include "topics/hidden/methods/ray_cast.h"
@@ -44,11 +45,11 @@ GrowthRow GrowthBench::run(GrowthMethod method, WorkProgress* progress) {
                   .polygons = static_cast<int>(polygons_.size()),
                   .operation_name = growth_operation_name(method)};
     // In the order of GrowthMethod.
-    static constexpr decltype(&GrowthBench::run_painter) runs[growth_method_count] = {
+    static constexpr PerEnum<GrowthMethod, decltype(&GrowthBench::run_painter), growth_method_count> runs{
         &GrowthBench::run_painter,  &GrowthBench::run_newell,   &GrowthBench::run_bsp_build,
         &GrowthBench::run_bsp_walk, &GrowthBench::run_z_buffer, &GrowthBench::run_ray_casting};
     const Stopwatch whole;
-    (this->*runs[static_cast<std::size_t>(method)])(row, progress);
+    (this->*runs[method])(row, progress);
     row.time_ms = whole.ms();
     return row;
 }

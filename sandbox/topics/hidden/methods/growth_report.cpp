@@ -5,6 +5,7 @@
 
 #include "text/catalogue.h"
 #include "text/numbers.h"
+#include "text/per_enum.h"
 #include "topics/hidden/methods/growth.h"
 
 namespace viewing {
@@ -107,17 +108,17 @@ Message growth_of_work(std::span<const GrowthRow> rows) {
 }  // namespace
 
 std::string_view growth_method_name(GrowthMethod method) {
-    constexpr std::array<std::string_view, growth_method_count> names{
+    constexpr PerEnum<GrowthMethod, std::string_view, growth_method_count> names{
         marked("the painter's algorithm"), marked("Newell's sort"),         marked("building the BSP tree"),
         marked("walking the BSP tree"),    marked("the software z-buffer"), marked("ray casting")};
-    return names[static_cast<std::size_t>(method)];
+    return names[method];
 }
 
 std::string_view growth_operation_name(GrowthMethod method) {
-    constexpr std::array<std::string_view, growth_method_count> names{
+    constexpr PerEnum<GrowthMethod, std::string_view, growth_method_count> names{
         marked("comparisons"),   marked("pair tests"),    marked("plane tests"),
         marked("nodes visited"), marked("pixels tested"), marked("box and triangle tests")};
-    return names[static_cast<std::size_t>(method)];
+    return names[method];
 }
 
 std::string growth_csv(std::span<const GrowthRow> rows, bool with_times) {

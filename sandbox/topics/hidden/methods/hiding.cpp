@@ -137,7 +137,7 @@ WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
         for (const int next : later[found.order.back()])
             if (--earlier[next] == 0) free.push(next);
     }
-    if (static_cast<int>(found.order.size()) == count) return found;
+    if (std::ssize(found.order) == count) return found;
 
     // Each remaining item is in a cycle or comes after one: use the shortest of the first few cycles found.
     constexpr int tried = 64;

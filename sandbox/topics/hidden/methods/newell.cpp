@@ -163,7 +163,7 @@ private:
                 return {};
             }
             const NewellTest test = first_passed(p, q);
-            ++result_.counters.decided[static_cast<std::size_t>(test)];
+            ++result_.counters.decided[test];
             if (test > NewellTest::projections_disjoint) {
                 let_go_beyond = projected_[q].farthest;
                 return {q, test};

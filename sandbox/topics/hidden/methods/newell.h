@@ -12,6 +12,7 @@
 
 #include "platform/progress.h"
 #include "text/message.h"
+#include "text/per_enum.h"
 #include "topics/hidden/methods/polygons.h"
 #include "topics/hidden/methods/viewpoint.h"
 
@@ -60,8 +61,8 @@ struct NewellOptions {
 };
 
 struct NewellCounters {
-    std::int64_t pairs = 0;                                 ///< comparisons of a P with a Q
-    std::array<std::int64_t, newell_test_count> decided{};  ///< pairs by deciding test, indexed by NewellTest
+    std::int64_t pairs = 0;                                          ///< comparisons of a P with a Q
+    PerEnum<NewellTest, std::int64_t, newell_test_count> decided{};  ///< pairs by deciding test
     std::int64_t swaps = 0, splits = 0, forced = 0;
 };
 

@@ -68,7 +68,7 @@ int SceneSurface::object_of(int source) const {
 
 const CurvedShape* SceneSurface::curved_of(int source) const {
     const int index = source - first_curved_source;
-    return index >= 0 && index < static_cast<int>(curved.size()) ? &curved[index] : nullptr;
+    return index >= 0 && index < std::ssize(curved) ? &curved[index] : nullptr;
 }
 
 std::vector<int> SceneSurface::object_of_source() const {

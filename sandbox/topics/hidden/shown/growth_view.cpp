@@ -9,6 +9,7 @@
 #include "platform/file.h"
 #include "platform/free_file.h"
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "topics/hidden/numbers/hidden_budget.h"
 #include "topics/hidden/numbers/scene_surface.h"
 #include "topics/hidden/shown/hidden_status.h"
@@ -134,8 +135,7 @@ public:
     Curves(std::span<const GrowthRow> rows, bool of_operations) {
         for (const GrowthRow& row : rows) {
             const double value = of_operations ? static_cast<double>(row.work()) : row.time_ms;
-            if (row.problem.empty())
-                points_[static_cast<std::size_t>(row.method)].emplace_back(static_cast<double>(row.polygons), value);
+            if (row.problem.empty()) points_[row.method].emplace_back(static_cast<double>(row.polygons), value);
         }
         const widgets::Palette& colors = palette();
         const std::array<ImU32, growth_method_count> own = {colors.light,  colors.plane,   colors.mirror,
@@ -151,7 +151,7 @@ public:
     std::span<const widgets::ChartCurve> get() const { return curves_; }
 
 private:
-    std::array<std::vector<glm::dvec2>, growth_method_count> points_;
+    PerEnum<GrowthMethod, std::vector<glm::dvec2>, growth_method_count> points_;
     std::array<widgets::ChartCurve, growth_method_count> curves_;
 };
 

@@ -23,7 +23,7 @@ ImU32 im_color(const Color& color) {
 
 const Polygon* polygon_at(const HiddenResult& result, int fragment) {
     const auto& fragments = *result.fragments;
-    return fragment >= 0 && fragment < static_cast<int>(fragments.size()) ? &fragments[fragment] : nullptr;
+    return fragment >= 0 && fragment < std::ssize(fragments) ? &fragments[fragment] : nullptr;
 }
 
 void outline(Overlay& overlay, const Polygon& polygon, ImU32 color, float thickness) {
@@ -128,7 +128,7 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
         return;
     }
     const int last = result.drawn - 1;
-    if (last < 0 || last >= static_cast<int>(result.order.size())) return;
+    if (last < 0 || last >= std::ssize(result.order)) return;
     if (const Polygon* polygon = polygon_at(result, result.order[last]))
         outline(overlay, *polygon, palette().accent, 2.4F);
 }
@@ -151,7 +151,7 @@ void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
 /// Draws a square in a node's plane, the plane's normal, and the polygons on either side, with one color for each side.
 void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
     const BspTree& tree = *result.tree;
-    if (index < 0 || index >= static_cast<int>(tree.nodes.size())) return;
+    if (index < 0 || index >= std::ssize(tree.nodes)) return;
     const BspNode& node = tree.nodes[index];
     const ImU32 front = im_color(front_color), back = im_color(back_color);
     subtree(overlay, tree, node.front, with_alpha(front, 200));

@@ -35,7 +35,7 @@ OrderRow row_of_polygon(const HiddenResult& result, int fragment, int source) {
 OrderRow OrderRows::row(int place) const {
     if (!result_.fragments || place < 0 || place >= count()) return {};
     const int fragment = result_.order[place];
-    if (fragment < 0 || fragment >= static_cast<int>(result_.fragments->size())) return {};
+    if (fragment < 0 || fragment >= std::ssize(*result_.fragments)) return {};
     OrderRow row = row_of_polygon(result_, fragment, (*result_.fragments)[fragment].source);
     row.detail = detail_of(fragment);
     row.is_reached = place < reached_;
@@ -44,7 +44,7 @@ OrderRow OrderRows::row(int place) const {
 }
 
 std::string OrderRows::detail_of(int fragment) const {
-    if (result_.painter && static_cast<std::size_t>(fragment) < result_.painter->distances.size())
+    if (result_.painter && fragment < std::ssize(result_.painter->distances))
         return number_text(result_.painter->distances[fragment], 3);
     if (newell_step_) return fragment == newell_step_->p ? "A" : fragment == newell_step_->q ? "B" : "";
     if (!result_.tree) return "";

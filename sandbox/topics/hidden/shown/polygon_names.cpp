@@ -13,7 +13,7 @@ struct PolygonPlace {
 int object_at(const SceneSurface* surface, int source) {
     if (!surface || source < 0 || source >= surface->source_count()) return -1;
     const int object = surface->object_of(source);
-    return object < static_cast<int>(surface->scene.objects.size()) ? object : -1;
+    return object < std::ssize(surface->scene.objects) ? object : -1;
 }
 
 PolygonPlace place_of(const SceneSurface* surface, int source) {

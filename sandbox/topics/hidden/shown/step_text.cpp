@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "topics/hidden/numbers/hidden_method.h"
 #include "topics/hidden/numbers/step_groups.h"
 #include "topics/hidden/shown/polygon_names.h"
@@ -14,7 +15,7 @@ namespace viewing {
 namespace {
 
 int source_of(const HiddenResult& result, int fragment) {
-    if (!result.fragments || fragment < 0 || fragment >= static_cast<int>(result.fragments->size())) return -1;
+    if (!result.fragments || fragment < 0 || fragment >= std::ssize(*result.fragments)) return -1;
     return (*result.fragments)[fragment].source;
 }
 
@@ -43,25 +44,20 @@ std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
 }
 
 /// In the order of NewellAction. A cut has sentences of its own.
-constexpr const char* action_texts[] = {marked("A may go before B."), marked("Swap: B goes before A."), "",
-                                        marked("A can hide none of the remaining polygons, so A is drawn."),
-                                        marked("A is drawn despite B: they overlap by less than epsilon.")};
+constexpr auto action_texts =
+    per_enum<NewellAction>(marked("A may go before B."), marked("Swap: B goes before A."), "",
+                           marked("A can hide none of the remaining polygons, so A is drawn."),
+                           marked("A is drawn despite B: they overlap by less than epsilon."));
 
 std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
-    return step.action == NewellAction::splits ? cut_sentence(result, step)
-                                               : tr(action_texts[static_cast<std::size_t>(step.action)]);
+    return step.action == NewellAction::splits ? cut_sentence(result, step) : tr(action_texts[step.action]);
 }
 
 /// In the order of NewellTest.
-constexpr const char* test_texts[] = {marked("apart in depth"),
-                                      marked("apart along x"),
-                                      marked("apart along y"),
-                                      marked("A behind the plane of B"),
-                                      marked("B in front of the plane of A"),
-                                      marked("apart on the screen"),
-                                      marked("B behind the plane of A"),
-                                      marked("A in front of the plane of B"),
-                                      marked("none: cut")};
+constexpr auto test_texts = per_enum<NewellTest>(
+    marked("apart in depth"), marked("apart along x"), marked("apart along y"), marked("A behind the plane of B"),
+    marked("B in front of the plane of A"), marked("apart on the screen"), marked("B behind the plane of A"),
+    marked("A in front of the plane of B"), marked("none: cut"));
 static_assert(std::size(test_texts) == newell_test_count);
 
 /// Returns how many decimals, from 4 to 9, are enough to distinguish two depths.
@@ -74,7 +70,7 @@ int decimals_for(double a, double b) {
 }  // namespace
 
 const char* newell_test_text(NewellTest test) {
-    return test_texts[static_cast<std::size_t>(test)];
+    return test_texts[test];
 }
 
 const NewellStep* newell_step(const HiddenResult& result) {

@@ -76,7 +76,7 @@ int TreeIndex::eye_side_of(int node) const {
 
 int current_node(const HiddenResult& result) {
     if (result.step < 0) return -1;
-    if (result.visited_nodes > 0 && result.visited_nodes <= static_cast<int>(result.walk->visits.size()))
+    if (result.visited_nodes > 0 && result.visited_nodes <= std::ssize(result.walk->visits))
         return result.walk->visits[result.visited_nodes - 1].node;
     return result.built_nodes - 1;
 }

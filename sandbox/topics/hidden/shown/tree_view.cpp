@@ -39,7 +39,7 @@ void draw_diagram(TreeViewState& state, PolygonLinks& links, const HiddenResult&
     if (state.size_px.x != width || state.size_px.y != height) diagram.fit_next = true;
     state.size_px = {width, height};
     int selected = selected_node(links);
-    if (selected >= static_cast<int>(links.tree.nodes().size())) selected = -1;
+    if (selected >= std::ssize(links.tree.nodes())) selected = -1;
     if (selected != state.revealed && selected < result.built_nodes) diagram.reveal_next = selected;
     state.revealed = selected;
     const int current = current_node(result);

@@ -7,6 +7,7 @@
 
 #include "state/fields.h"
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "text/words.h"
 #include "topics/camera/numbers/camera_way.h"
 #include "topics/depth/numbers/fragment_text.h"
@@ -139,8 +140,8 @@ PointNumbers point_numbers(std::span<const std::string> listed, bool has_shadow,
 }
 
 int lines_of(PointNumbers numbers) {
-    static constexpr std::array lines{6, 3, 4, 2, 6, 11};
-    return lines[static_cast<std::size_t>(numbers)];
+    static constexpr auto lines = per_enum<PointNumbers>(6, 3, 4, 2, 6, 11);
+    return lines[numbers];
 }
 
 float followed_point_height(const Session& session, PointNumbers numbers) {

@@ -215,13 +215,13 @@ void show_display(const Column& column) {
 
 }  // namespace
 
-std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& heights,
+std::array<MatrixPart, 4> fit_matrices(float room, const PerEnum<MatrixPart, float, 3>& heights,
                                        std::span<const std::string> first) {
     std::array<MatrixPart, 4> parts{};  // headings alone
     float left = room - 4.0F * heights.front();
     const auto grow = [&](bool is_first, MatrixPart part) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const float cost = heights[static_cast<std::size_t>(part)] - heights[static_cast<std::size_t>(parts[i])];
+            const float cost = heights[part] - heights[parts[i]];
             if (is_named(first, matrices_in_order[i]) != is_first || parts[i] >= part || cost > left) continue;
             left -= cost;
             parts[i] = part;
@@ -236,8 +236,8 @@ std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& h
 
 namespace {
 
-/// The heights of a matrix with its heading, by MatrixPart.
-std::array<float, 3> matrix_heights() {
+/// The heights of a matrix with its heading.
+PerEnum<MatrixPart, float, 3> matrix_heights() {
     const float spacing = ImGui::GetStyle().ItemSpacing.y, heading = ImGui::GetFrameHeight() + spacing;
     const auto with = [&](bool has_symbols) {
         return heading + widgets::MatrixHeight(has_symbols) + 2.0F * spacing + px(1.0F);
@@ -335,7 +335,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
     const bool has_pair = session.params.planes.size() > 1 || session.params.lights.size() > 1;
     const float others = followed_point_height(session, numbers_in(about, session)) +
                          (has_pair ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
-    const std::array<float, 3> heights = matrix_heights();
+    const PerEnum<MatrixPart, float, 3> heights = matrix_heights();
     std::array<MatrixPart, 4> parts{};
     parts.fill(MatrixPart::symbols);
     if (!side_by_side)

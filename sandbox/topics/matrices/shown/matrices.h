@@ -9,6 +9,7 @@
 
 #include "frame/derive.h"
 #include "session/session.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 
@@ -27,7 +28,7 @@ inline constexpr std::array<const char*, 4> matrices_in_order = {"V", "P", "S", 
 /// Decides how much of each matrix in matrices_in_order a column shows, so that nothing is cut off. The matrices in
 /// `first` get space for numbers and symbols before the others get any. `heights`: the heights of one matrix, by
 /// MatrixPart.
-std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& heights,
+std::array<MatrixPart, 4> fit_matrices(float room, const PerEnum<MatrixPart, float, 3>& heights,
                                        std::span<const std::string> first);
 
 /// Draws the column; if it is short, shows the matrices in `about` first. `before` holds the numbers before the latest

@@ -7,6 +7,7 @@
 
 #include "frame/matrix_facts.h"
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 namespace {
@@ -92,17 +93,16 @@ glm::dvec3 derivation_point(const Derived& derived) {
 }
 
 const char* sentence_of(ShadowRay ray) {
-    static constexpr const char* sentences[] = {
-        "",
-        marked("p lies in the plane: it is its own shadow."),
+    static constexpr auto sentences = per_enum<ShadowRay>(
+        "", marked("p lies in the plane: it is its own shadow."),
         marked("p lies behind the plane: the ray meets the plane first, so s is a false shadow."),
         marked("p is farther from the plane than the light is: the line meets the plane behind the light, where w has "
                "the opposite sign, so s is an anti-shadow."),
         marked("The ray is parallel to the plane: w = 0, and s lies at infinity."),
         marked("The light lies in the plane: S sends every point to the light itself, or to infinity if the light is "
                "parallel. There is no shadow."),
-        marked("p coincides with the light: there is no ray.")};
-    return sentences[static_cast<std::size_t>(ray)];
+        marked("p coincides with the light: there is no ray."));
+    return sentences[ray];
 }
 
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world) {

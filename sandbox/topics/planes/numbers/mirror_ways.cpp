@@ -1,6 +1,7 @@
 #include "topics/planes/numbers/mirror_ways.h"
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 
 namespace viewing {
 
@@ -14,9 +15,9 @@ Params mirrored_in(Params params, MirrorWay way) {
 }
 
 const char* name_of(MirrorWay way) {
-    static constexpr const char* names[] = {marked("clip distance"), marked("no clipping"),
-                                            marked("oblique near plane"), marked("mirrored camera")};
-    return names[static_cast<std::size_t>(way)];
+    static constexpr auto names = per_enum<MirrorWay>(marked("clip distance"), marked("no clipping"),
+                                                      marked("oblique near plane"), marked("mirrored camera"));
+    return names[way];
 }
 
 }  // namespace viewing

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
 #include "topics/planes/shown/derivation_diagram.h"
 #include "topics/planes/shown/derivation_flow.h"
 #include "topics/planes/shown/derivation_forms.h"
@@ -240,9 +241,9 @@ void mirror_form(const MirrorDerivation& found) {
     constexpr float plate_height = 130.0F;
     if (is_part_covered("text:mirror_derivation.matrix", px(plate_height))) return;
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    static constexpr const char* headings[] = {marked("R for the yz-plane"), marked("R for the xz-plane"),
-                                               marked("R for the xy-plane"), marked("R for any plane")};
-    derivation_heading(headings[static_cast<std::size_t>(found.plane)]);
+    static constexpr auto headings = per_enum<MirrorPlane>(marked("R for the yz-plane"), marked("R for the xz-plane"),
+                                                           marked("R for the xy-plane"), marked("R for any plane"));
+    derivation_heading(headings[found.plane]);
     const float width = std::min(ImGui::GetContentRegionAvail().x, px(420.0F));
     MatrixCells cells = mirror_cells();
     widgets::Matrix("R derived", found.mirrored_world_from_world,

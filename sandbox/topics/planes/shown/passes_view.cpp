@@ -125,7 +125,7 @@ void entry(Session& session, const FramePlan& plan, int number, MarkedCalls& don
     const widgets::Context& context = widgets::CurrentContext();
     const Pass& pass = plan.passes[number];
     int& stop = session.params.view.pass;
-    const bool is_last = number + 1 == static_cast<int>(plan.passes.size());
+    const bool is_last = number + 1 == std::ssize(plan.passes);
     const bool goes_on = is_last || stop == number;
     const bool is_drawn = plan.limit.pass < 0 || number <= plan.limit.pass;
     ImGui::PushID(number);
@@ -161,7 +161,7 @@ void list(Session& session, const FramePlan& plan, bool follows) {
     ImGui::BeginChild("list", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     MarkedCalls done{};
     call_lines(clear_calls(plan), done);
-    for (int number = 0; number < static_cast<int>(plan.passes.size()); ++number) {
+    for (int number = 0; number < std::ssize(plan.passes); ++number) {
         const bool is_stop = number == session.params.view.pass;
         if (is_stop && (follows || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY(0.1F);
         entry(session, plan, number, done);

@@ -1,13 +1,15 @@
 #include "topics/why/measured/why_report.h"
 
 #include "report/as_json.h"
+#include "text/per_enum.h"
 #include "topics/hidden/measured/camera_picture.h"
 #include "topics/hidden/measured/hidden_answers.h"
 
 namespace viewing {
 namespace {
 
-constexpr const char* kind_names[] = {"ray", "pass", "mirror", "light", "fight", "fault", "samples", "sum"};
+constexpr auto kind_names =
+    per_enum<WhyRow::Kind>("ray", "pass", "mirror", "light", "fight", "fault", "samples", "sum");
 
 Json touch_as_json(const Touch& touch) {
     const Fragment& fragment = touch.fragment;
@@ -58,9 +60,8 @@ Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& stat
 Json why_as_json(const Why& why) {
     Json rows = Json::array(), touches = Json::array();
     for (const WhyRow& row : why.rows) {
-        Json json = {{"kind", kind_names[static_cast<std::size_t>(row.kind)]},
-                     {"title", say(row.title)},
-                     {"say", say(listed(row.sentences, " "))}};
+        Json json = {
+            {"kind", kind_names[row.kind]}, {"title", say(row.title)}, {"say", say(listed(row.sentences, " "))}};
         if (row.after) json[row.kind == WhyRow::Kind::fault ? "with_fix" : "after"] = as_text(*row.after);
         if (row.pass >= 0) json["pass"] = row.pass + 1;
         if (!row.fix.empty()) json["fix"] = row.fix;
