@@ -56,8 +56,9 @@ bool reaches_each(const SceneObject& object, std::span<const glm::dvec4> forms) 
 /// Returns whether is_so(points) holds for any vertex at which all forms are positive, or for the corners of that part
 /// of any triangle where all forms are positive. Points are in the model's space. Handles at most 32 forms. For a mesh
 /// of more than 20,000 triangles, returns true unless one of the forms is positive at none of its vertices.
+/// `takes_points`: false asks about parts of triangles only.
 template <typename Predicate>
-bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Predicate is_so) {
+bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Predicate is_so, bool takes_points = true) {
     constexpr std::size_t most_triangles = 20'000;
     const Mesh& mesh = *object.mesh;
     if (!reaches_each(object, forms)) return false;
@@ -66,18 +67,30 @@ bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Pred
     for (const glm::dvec4& form : forms) of_model.push_back(form * object.world_from_model);
     const auto point = [&mesh](std::uint32_t vertex) { return glm::dvec4(mesh.positions[vertex], 1.0); };
     const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << of_model.size()) - 1U);
-    std::vector<std::uint32_t> positive(mesh.positions.size(), 0);  // one bit per form
+    constexpr std::uint32_t unknown = ~0U;
+    std::vector<std::uint32_t> known(mesh.positions.size(), unknown);
+    const auto positive = [&](std::uint32_t vertex) {  // one bit per form
+        if (known[vertex] == unknown) {
+            known[vertex] = 0;
+            for (std::size_t form = 0; form < of_model.size(); ++form)
+                if (glm::dot(of_model[form], point(vertex)) > 0.0) known[vertex] |= 1U << form;
+        }
+        return known[vertex];
+    };
     std::vector<glm::dvec4> part, kept;
-    for (std::uint32_t vertex = 0; vertex < positive.size(); ++vertex) {
-        for (std::size_t form = 0; form < of_model.size(); ++form)
-            if (glm::dot(of_model[form], point(vertex)) > 0.0) positive[vertex] |= 1U << form;
+    for (std::uint32_t vertex = 0; takes_points && vertex < known.size(); ++vertex) {
         part = {point(vertex)};
-        if (positive[vertex] == all && is_so(part)) return true;
+        if (positive(vertex) == all && is_so(part)) return true;
     }
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
-        if ((positive[a] | positive[b] | positive[c]) != all) continue;
-        const std::uint32_t everywhere = positive[a] & positive[b] & positive[c];
+    // Neighboring triangles mostly get the same answer, so the order leaps over the mesh: 0.618 is the golden section.
+    const std::size_t count = mesh.triangle_count();
+    std::size_t leap = static_cast<std::size_t>(0.618 * static_cast<double>(count)) | 1U;
+    while (std::gcd(leap, count) > 1) leap += 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t* const corners = &mesh.indices[3 * (i * leap % count)];
+        const std::uint32_t a = corners[0], b = corners[1], c = corners[2];
+        if ((positive(a) | positive(b) | positive(c)) != all) continue;
+        const std::uint32_t everywhere = positive(a) & positive(b) & positive(c);
         part = {point(a), point(b), point(c)};
         for (std::size_t form = 0; form < of_model.size() && !part.empty(); ++form)
             if ((everywhere >> form & 1U) == 0)
@@ -184,29 +197,45 @@ double area_in_picture(const glm::dmat4& clip_from_world, const std::vector<glm:
     return 0.5 * std::abs(twice);
 }
 
-/// Returns whether an object is on the view ray to a point, between near and the point.
-bool is_covered(const Params& params, const Derived& derived, const Scene& scene, const glm::dvec3& point_world) {
-    constexpr double least = 1e-4;  // surfaces that touch the point do not cover it
-    const glm::dvec3 way = -line_of_sight(derived.eye_world, point_world);
-    const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
-    const double limit = (glm::dot(distance, glm::dvec4(point_world, 1.0)) - params.projection.near) /
-                         -glm::dot(distance, glm::dvec4(way, 0.0));
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
-        if (glm::determinant(object.world_from_model) == 0.0) return false;
-        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
-        const Ray ray{glm::dvec3(model_from_world * glm::dvec4(point_world, 1.0)), glm::dmat3(model_from_world) * way};
-        const Mesh& mesh = *object.mesh;
-        return triangle_tree(object.mesh)
-            ->any([&](const Bounds& box) { return meets_box(ray, box, limit); },
-                  [&](std::uint32_t triangle) {
-                      std::array<glm::dvec3, 3> corners;
-                      for (std::size_t k = 0; k < 3; ++k)
-                          corners[k] = mesh.positions[mesh.indices[3 * std::size_t{triangle} + k]];
-                      const std::optional<TriangleHit> hit = intersect_triangle(ray, corners);
-                      return hit && hit->t > least && hit->t < limit;
-                  });
-    });
-}
+/// Finds what hides points of the scene. An object that its scale flattens hides nothing.
+class Hiding {
+public:
+    explicit Hiding(const Scene& scene) {
+        for (const SceneObject& object : scene.objects)
+            if (glm::determinant(object.world_from_model) != 0.0)
+                all_.push_back({object.mesh.get(), triangle_tree(object.mesh), glm::inverse(object.world_from_model)});
+    }
+
+    /// Returns whether an object is on the view ray to a point, between near and the point.
+    bool hides(const glm::dvec3& point_world, const Params& params, const Derived& derived) const {
+        constexpr double least = 1e-4;  // surfaces that touch the point do not hide it
+        const glm::dvec3 way = -line_of_sight(derived.eye_world, point_world);
+        const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
+        const double limit = (glm::dot(distance, glm::dvec4(point_world, 1.0)) - params.projection.near) /
+                             -glm::dot(distance, glm::dvec4(way, 0.0));
+        return std::any_of(all_.begin(), all_.end(), [&](const Object& object) {
+            const Ray ray{glm::dvec3(object.model_from_world * glm::dvec4(point_world, 1.0)),
+                          glm::dmat3(object.model_from_world) * way};
+            const Mesh& mesh = *object.mesh;
+            return object.tree->any([&](const Bounds& box) { return meets_box(ray, box, limit); },
+                                    [&](std::uint32_t triangle) {
+                                        std::array<glm::dvec3, 3> corners;
+                                        for (std::size_t k = 0; k < 3; ++k)
+                                            corners[k] = mesh.positions[mesh.indices[3 * std::size_t{triangle} + k]];
+                                        const std::optional<TriangleHit> hit = intersect_triangle(ray, corners);
+                                        return hit && hit->t > least && hit->t < limit;
+                                    });
+        });
+    }
+
+private:
+    struct Object {
+        const Mesh* mesh;
+        std::shared_ptr<const BoxTree> tree;
+        glm::dmat4 model_from_world;
+    };
+    std::vector<Object> all_;
+};
 
 /// The size of a mesh in the picture. Lengths are fractions of the picture's height.
 struct Drawn {
@@ -361,6 +390,7 @@ bool may_see(const Params& params, const Derived& derived, const Scene& scene, s
              const glm::dmat4& place_from_world) {
     constexpr double least_area = 0.5 * 4.0 / (400.0 * 240.0);  // in normalized device coordinates
     const bool covers_nothing = culls_all(params) || (params.reflection.enabled && params.reflection.after_objects);
+    std::optional<Hiding> hiding;
     double area = 0.0;
     const auto take = [&](const SceneObject& object, const std::vector<glm::dvec4>& part) {
         std::vector<glm::dvec3> places;
@@ -370,17 +400,19 @@ bool may_see(const Params& params, const Derived& derived, const Scene& scene, s
         }
         const glm::dvec3 middle =
             std::accumulate(places.begin(), places.end(), glm::dvec3(0.0)) / static_cast<double>(places.size());
+        if (!hiding && !covers_nothing) hiding.emplace(scene);
         const bool is_seen = covers_nothing || std::any_of(places.begin(), places.end(), [&](const glm::dvec3& corner) {
-                                 return !is_covered(params, derived, scene, glm::mix(middle, corner, 0.9));
+                                 return !hiding->hides(glm::mix(middle, corner, 0.9), params, derived);
                              });
         if (is_seen) area += area_in_picture(derived.clip_from_world, places);
         return area > least_area;
     };
     return !is_clear_of_any(scene, forms) &&
            std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
-               return any_part(object, forms, [&](const std::vector<glm::dvec4>& part) {
-                   return part.size() >= 3 && take(object, part);
-               });
+               constexpr bool takes_points = false;  // they have no area
+               return any_part(
+                   object, forms, [&](const std::vector<glm::dvec4>& part) { return take(object, part); },
+                   takes_points);
            });
 }
 
