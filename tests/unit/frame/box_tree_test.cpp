@@ -165,6 +165,27 @@ TEST(ObjectReach, MatchesATestOfEveryVertex) {
     EXPECT_GT(across, 50);
 }
 
+/// A row of triangles, and a square inside only one of them, away from its corners.
+TEST(ObjectReach, TriesEveryTriangle) {
+    for (std::uint32_t count = 1; count <= 40; ++count) {
+        Mesh mesh;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const float left = 3.0F * static_cast<float>(i);
+            mesh.positions.insert(mesh.positions.end(), {{left, 0, 0}, {left + 2, 0, 0}, {left, 2, 0}});
+            mesh.indices.insert(mesh.indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        const SceneObject row{.description = {}, .mesh = std::make_shared<const Mesh>(mesh)};
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const auto reaches = [&](double x) {  // the square's middle is at (x, 0.5)
+                const glm::dvec4 forms[] = {{1, 0, 0, 0.1 - x}, {-1, 0, 0, x + 0.1}, {0, 1, 0, -0.4}, {0, -1, 0, 0.6}};
+                return may_reach(row, forms);
+            };
+            EXPECT_TRUE(reaches(3.0 * i + 0.5)) << i << " of " << count;
+            EXPECT_FALSE(reaches(3.0 * i + 2.5)) << i << " of " << count;
+        }
+    }
+}
+
 TEST(ObjectReach, EnclosesTheImageOfEveryVertex) {
     Random random(seed + 3);
     int beyond = 0, inside = 0;
