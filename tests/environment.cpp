@@ -1,8 +1,7 @@
 // This file is linked into every test program. It sets the locations of the assets, the program and the tests, unless
 // the environment already sets them. No other setup is needed, whether ctest or a user starts the program. Tests
-// compile their shaders with the fast settings of the headless commands, and share them in a cache of their build:
-// compiling them anew in each of a thousand processes took a third of the time. Mesa's key of a shader lacks the
-// vectors' width, so the cache is for one width.
+// compile their shaders with the fast settings of the headless commands, and share them in a cache of their build. Each
+// width of vectors has its own cache, in case Mesa's key of a shader lacks the width.
 #include <cstdlib>
 #include <string>
 

@@ -12,4 +12,9 @@ inline int trials(int usual) {
     return usual * std::max(longer ? std::atoi(longer) : 1, 1);
 }
 
+/// Whether VIEWING_LONG_TESTS is set, so that a test that covers a part of something covers all of it.
+inline bool is_long() {
+    return std::getenv("VIEWING_LONG_TESTS") != nullptr;
+}
+
 }  // namespace viewing::testing

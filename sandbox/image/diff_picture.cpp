@@ -39,9 +39,8 @@ Image diff_picture(const Image& a, const Image& b, const CompareOptions& options
         if (y < rows.height) difference = rows.row(y);
         for (int x = 0; x < out.width; ++x) {
             constexpr std::array<std::uint8_t, 4> nothing{};
-            const std::size_t offset = 4 * static_cast<std::size_t>(x);
-            std::uint8_t* pixel = out.row(y) + offset;
-            faint_gray(has(a, x, y) ? a.row(y) + offset : has(b, x, y) ? b.row(y) + offset : nothing.data(), pixel);
+            std::uint8_t* pixel = out.pixel(x, y);
+            faint_gray(has(a, x, y) ? a.pixel(x, y) : has(b, x, y) ? b.pixel(x, y) : nothing.data(), pixel);
             if (!has(a, x, y) || !has(b, x, y)) {
                 blend(pixel, uncovered_color, 0.4);
             } else if (mask.leaves_out(x, y)) {

@@ -49,7 +49,7 @@ Image noise() {
 Image dotted() {
     Image image = picture();
     for (int y = 0; y < height; y += 18)
-        for (int x = 0; x < width; x += 18) image.row(y)[4 * static_cast<std::size_t>(x)] ^= 0x80;
+        for (int x = 0; x < width; x += 18) image.pixel(x, y)[0] ^= 0x80;
     return image;
 }
 

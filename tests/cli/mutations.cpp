@@ -15,10 +15,6 @@ using viewing::Image;
 
 namespace {
 
-std::uint8_t* pixel(Image& image, int x, int y) {
-    return image.pixel(x, y);
-}
-
 double light_of(double level) {
     const double v = level / 255.0;
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -38,7 +34,7 @@ Image changed(Image image, const Area& area, const std::function<double(int, dou
     for (int y = area.y; y < area.y + area.height; ++y)
         for (int x = area.x; x < area.x + area.width; ++x)
             for (int c = 0; c < 3; ++c) {
-                std::uint8_t& level = pixel(image, x, y)[c];
+                std::uint8_t& level = image.pixel(x, y)[c];
                 level = static_cast<std::uint8_t>(std::lround(std::clamp(change(c, level), 0.0, 255.0)));
             }
     return image;
@@ -46,7 +42,7 @@ Image changed(Image image, const Area& area, const std::function<double(int, dou
 
 Image shifted(Image image, const Area& area) {
     for (int y = area.y; y < area.y + area.height; ++y) {
-        std::uint8_t* const first = pixel(image, area.x, y);
+        std::uint8_t* const first = image.pixel(area.x, y);
         std::copy_backward(first, first + 4 * static_cast<std::ptrdiff_t>(area.width - 1),
                            first + 4 * static_cast<std::ptrdiff_t>(area.width));
     }

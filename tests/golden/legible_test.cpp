@@ -11,6 +11,7 @@
 #include "gl/gl_test.h"
 #include "lesson/lesson.h"
 #include "state/presets.h"
+#include "trials.h"
 #include "ui/letters.h"
 #include "ui/main_view.h"
 
@@ -216,7 +217,7 @@ protected:
 
 /// Measures every eleventh picture in each hall, so that every lesson is covered.
 TEST_F(LegibleSlowTest, TypeOnStage) {
-    const bool is_long = std::getenv("VIEWING_LONG_TESTS") != nullptr;
+    const bool is_long = testing::is_long();
     const std::size_t stride = is_long ? 1 : 11 * halls.size();
     for (std::size_t h = 0; h < halls.size(); ++h) {
         Measured all;
@@ -251,7 +252,7 @@ TEST_F(LegibleSlowTest, TypeOnStage) {
 /// Measures every eighth preset, or all with VIEWING_LONG_TESTS.
 TEST_F(LegibleSlowTest, TypeInTheWindow) {
     std::map<long, std::string> examples;  // by size in pixels
-    const std::size_t stride = std::getenv("VIEWING_LONG_TESTS") ? 1 : 8;
+    const std::size_t stride = testing::is_long() ? 1 : 8;
     const std::vector<NamedFile> all_presets = presets();
     for (std::size_t i = 0; i < all_presets.size(); i += stride) {
         const NamedFile& preset = all_presets[i];

@@ -194,7 +194,7 @@ TEST_F(WindowTest, WritesAPrintableCostChart) {
     std::set<std::uint32_t> colors;
     for (int y = 0; y < chart->height; ++y)
         for (int x = 0; x < chart->width; ++x) {
-            const std::uint8_t* at = chart->row(y) + 4 * static_cast<std::size_t>(x);
+            const std::uint8_t* at = chart->pixel(x, y);
             colors.insert(at[0] | at[1] << 8 | at[2] << 16);
         }
     EXPECT_GT(colors.size(), 20U) << "axes, a curve and words";

@@ -5,6 +5,7 @@
 #include "desk.h"
 #include "recorded_letters.h"
 #include "state/presets.h"
+#include "trials.h"
 
 namespace viewing::test {
 namespace {
@@ -79,7 +80,7 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
 
 /// Covers every fifth preset, or all presets with VIEWING_LONG_TESTS.
 TEST_F(RecordingTest, TheWindowsOfPresetsAreComplete) {
-    const std::size_t step = std::getenv("VIEWING_LONG_TESTS") ? 1 : 5;
+    const std::size_t step = testing::is_long() ? 1 : 5;
     const std::vector<NamedFile> all = presets();
     for (std::size_t i = 0; i < all.size(); i += step) {
         const NamedFile& preset = all[i];

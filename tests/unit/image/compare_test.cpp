@@ -19,22 +19,15 @@ Image plain(int width, int height, std::uint8_t level = 100) {
     return image;
 }
 
-std::uint8_t* pixel(Image& image, int x, int y) {
-    return image.pixel(x, y);
-}
-const std::uint8_t* pixel(const Image& image, int x, int y) {
-    return image.pixel(x, y);
-}
-
 void fill(Image& image, int x, int y, int width, int height, int change) {
     for (int j = y; j < y + height; ++j)
         for (int i = x; i < x + width; ++i)
-            pixel(image, i, j)[1] = static_cast<std::uint8_t>(pixel(image, i, j)[1] + change);
+            image.pixel(i, j)[1] = static_cast<std::uint8_t>(image.pixel(i, j)[1] + change);
 }
 
 int difference_at(const Image& a, const Image& b, int x, int y) {
     int largest = 0;
-    for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(pixel(a, x, y)[c] - pixel(b, x, y)[c]));
+    for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
     return largest;
 }
 
@@ -88,7 +81,7 @@ TEST(Compare, AgreesWithBruteForceOnRandomEdits) {
             const int change = 1 + up_to(seed % 2 == 0 ? 5 : 200);
             for (int j = y; j < y + height; ++j)
                 for (int k = x; k < x + width; ++k) {
-                    auto& channel = pixel(b, k, j)[up_to(4)];
+                    auto& channel = b.pixel(k, j)[up_to(4)];
                     channel = static_cast<std::uint8_t>(channel + change);
                 }
         }
@@ -129,13 +122,13 @@ TEST(Compare, AgreesWithBruteForceOnRandomEdits) {
 TEST(Compare, TheWorstLevelIsAllowedAndOneMoreIsNot) {
     const Image a = plain(10, 10);
     Image b = a;
-    pixel(b, 3, 7)[2] = 105;
+    b.pixel(3, 7)[2] = 105;
     EXPECT_TRUE(compare_images(a, b, {5, 0.0}).equal);
     const CompareReport report = compare_images(a, b, {4, 0.0});
     EXPECT_FALSE(report.equal);
     EXPECT_EQ(report.worst_found, 5);
     EXPECT_EQ(report.worst_at, (std::array{3, 7}));
-    pixel(b, 3, 7)[2] = 95;
+    b.pixel(3, 7)[2] = 95;
     EXPECT_FALSE(compare_images(a, b, {4, 0.0}).equal);
     EXPECT_TRUE(compare_images(a, b, {5, 0.0}).equal);
 }
@@ -143,7 +136,7 @@ TEST(Compare, TheWorstLevelIsAllowedAndOneMoreIsNot) {
 TEST(Compare, AlphaCounts) {
     const Image a = plain(4, 4);
     Image b = a;
-    pixel(b, 0, 0)[3] = 0;
+    b.pixel(0, 0)[3] = 0;
     EXPECT_EQ(compare_images(a, b).worst_found, 100);
 }
 
@@ -217,7 +210,7 @@ TEST(Compare, DifferentSizesAreReportedInASentence) {
     EXPECT_EQ(marked.width, 20);
     EXPECT_EQ(marked.height, 12);
     const auto is_grey = [&](int x, int y) {
-        const std::uint8_t* p = pixel(marked, x, y);
+        const std::uint8_t* p = marked.pixel(x, y);
         return p[0] == p[1] && p[1] == p[2];
     };
     EXPECT_TRUE(is_grey(14, 9));
@@ -235,14 +228,14 @@ TEST(Compare, EmptyPicturesAreEqual) {
 TEST(Compare, TheDiffPictureMarksBeyondInOrangeRedAndWithinInBlue) {
     const Image a = plain(10, 10);
     Image b = a;
-    pixel(b, 2, 3)[0] = 200;
-    pixel(b, 4, 5)[0] = 102;
+    b.pixel(2, 3)[0] = 200;
+    b.pixel(4, 5)[0] = 102;
     const Image marked = diff_picture(a, b, {2, 0.0});
-    EXPECT_EQ(pixel(marked, 2, 3)[0], 0xE4);
-    EXPECT_EQ(pixel(marked, 2, 3)[1], 0x57);
-    EXPECT_EQ(pixel(marked, 2, 3)[2], 0x2E);
-    EXPECT_GT(pixel(marked, 4, 5)[2], pixel(marked, 4, 5)[0]);
-    EXPECT_EQ(pixel(marked, 0, 0)[0], pixel(marked, 0, 0)[2]);
+    EXPECT_EQ(marked.pixel(2, 3)[0], 0xE4);
+    EXPECT_EQ(marked.pixel(2, 3)[1], 0x57);
+    EXPECT_EQ(marked.pixel(2, 3)[2], 0x2E);
+    EXPECT_GT(marked.pixel(4, 5)[2], marked.pixel(4, 5)[0]);
+    EXPECT_EQ(marked.pixel(0, 0)[0], marked.pixel(0, 0)[2]);
     for (std::size_t i = 3; i < marked.rgba.size(); i += 4) ASSERT_EQ(marked.rgba[i], 255);
 }
 
