@@ -51,16 +51,17 @@ int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     return failure;
 }
 
-/// Opens a new file next to the target; on failure, returns −1 and sets errno.
+/// Opens a new file next to the target; on failure, returns −1, sets errno and leaves `made` empty.
 int open_new(const fs::path& target, fs::path& made) {
     constexpr int tries = 100;
-    int file = -1;
-    for (int i = 0; i < tries && file < 0; ++i) {
+    for (int i = 0; i < tries; ++i) {
         made = name_beside(target);
-        file = ::open(made.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
-        if (file < 0 && errno != EEXIST) break;
+        const int file = ::open(made.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
+        if (file >= 0) return file;
+        if (errno != EEXIST) break;
     }
-    return file;
+    made.clear();
+    return -1;
 }
 
 /// The unfinished files and folders. A signal handler that ends the process can use this array, although it can neither
@@ -94,67 +95,55 @@ void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as
 #endif
 }
 
-/// A complete file next to its target, about to get the target's name. The destructor removes whatever has the
-/// temporary name by then: this file, or the one that it replaced.
+/// A complete file next to its target, about to get the target's name. The destructor removes what has the temporary
+/// name by then: this file, the one that it replaced, or nothing.
 class Prepared {
 public:
-    /// Returns 0 or the errno of the failure.
-    int prepare(const fs::path& target, std::span<const std::uint8_t> bytes) {
-        target_ = target;
-        const int file = open_new(target, beside_);
-        if (file < 0) return errno;
-        is_there_ = true;
-        note_unfinished(beside_);
-        struct stat old {};
-        was_new_ = ::stat(target.c_str(), &old) != 0;
-        if (!was_new_) ::fchmod(file, old.st_mode & 07777U);
-        return write_all(file, bytes, true);
+    explicit Prepared(fs::path target) : target_(std::move(target)) {}
+    Prepared(const Prepared&) = delete;
+    Prepared& operator=(const Prepared&) = delete;
+    ~Prepared() {
+        if (beside_.empty()) return;
+        ::unlink(beside_.c_str());
+        forget_unfinished(beside_);
+        keep_folder(folder_of(target_));
     }
 
     const fs::path& target() const { return target_; }
 
-    /// Returns 0 or the errno of the failure. If the names could be exchanged, the previous file has the temporary name
-    /// until this object is destroyed.
+    /// Writes the file, with the mode of the previous one. Returns 0 or the errno of the failure.
+    int write(std::span<const std::uint8_t> bytes) {
+        const int file = open_new(target_, beside_);
+        if (file < 0) return errno;
+        note_unfinished(beside_);
+        struct stat old {};
+        if (::stat(target_.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777U);
+        return write_all(file, bytes, true);
+    }
+
+    /// Returns 0 or the errno of the failure.
     int take_name() {
-        has_exchanged_ = exchange_names(beside_, target_);
-        if (!has_exchanged_) {
-            if (::rename(beside_.c_str(), target_.c_str()) != 0) return errno;
-            forget();
-        }
-        has_name_ = true;
+        const bool was_there = is_there(target_);
+        if (exchange_names(beside_, target_))
+            undo_ = Undo::exchange;
+        else if (::rename(beside_.c_str(), target_.c_str()) != 0)
+            return errno;
+        else if (!was_there)
+            undo_ = Undo::remove;
         return 0;
     }
 
-    /// Undoes take_name(). If the names could not be exchanged, it can only remove a file that was new.
+    /// Undoes take_name(), unless it replaced a file on a file system that cannot exchange names.
     void give_name_back() {
-        if (!has_name_) return;
-        if (has_exchanged_)
-            exchange_names(beside_, target_);
-        else if (was_new_)
-            ::unlink(target_.c_str());
-        has_name_ = false;
-    }
-
-    Prepared() = default;
-    Prepared(const Prepared&) = delete;
-    Prepared& operator=(const Prepared&) = delete;
-    ~Prepared() {
-        if (is_there_) {
-            ::unlink(beside_.c_str());
-            forget();
-        }
-        if (has_name_) keep_folder(folder_of(target_));
+        if (undo_ == Undo::exchange) exchange_names(beside_, target_);
+        if (undo_ == Undo::remove) ::unlink(target_.c_str());
     }
 
 private:
-    void forget() {
-        is_there_ = false;
-        forget_unfinished(beside_);
-    }
+    enum class Undo { nothing, exchange, remove };
 
     fs::path target_, beside_;
-    bool is_there_ = false;  ///< a file with the temporary name exists
-    bool was_new_ = false, has_exchanged_ = false, has_name_ = false;
+    Undo undo_ = Undo::nothing;
 };
 
 /// Writes to a device or pipe. Returns 0 or the errno of the failure.
@@ -248,7 +237,7 @@ Status write_files(std::span<const FileBytes> files, const std::function<void()>
         const bool is_replaced = !fs::exists(there) || fs::is_regular_file(there);
         const std::optional<fs::path> target = end_of_links(file.path);
         const int failure = !is_replaced ? write_into(file.path, file.bytes)
-                            : target     ? prepared.emplace_back().prepare(*target, file.bytes)
+                            : target     ? prepared.emplace_back(*target).write(file.bytes)
                                          : ELOOP;
         if (failure != 0) return write_error(file.path, failure);
     }

@@ -43,12 +43,12 @@ std::optional<fs::path> place_of(const fs::path& target) {
 
 struct WholeFolder::Growing {
     fs::path named;  ///< the target as given
-    fs::path target, beside;
+    fs::path target;
+    fs::path beside;  ///< empty until the folder is there
     IsOwnResult is_own;
-    bool is_there = false;
 
     ~Growing() {
-        if (!is_there) return;
+        if (beside.empty()) return;
         std::error_code none;
         fs::remove_all(beside, none);
         forget_unfinished(beside);
@@ -89,11 +89,11 @@ Result<WholeFolder> WholeFolder::begin(const fs::path& target, const IsOwnResult
     fs::path topmost = growing->target;
     while (topmost.has_parent_path() && topmost != topmost.parent_path() && !is_there(topmost.parent_path()))
         topmost = topmost.parent_path();
-    growing->beside = name_beside(topmost);
+    const fs::path beside = name_beside(topmost);
     std::error_code error;
-    fs::create_directory(growing->beside, error);
+    fs::create_directory(beside, error);
     if (error) return no_folder(target, error.message());
-    growing->is_there = true;
+    growing->beside = beside;
     note_unfinished(growing->beside);
     return WholeFolder(std::move(growing));
 }
@@ -104,15 +104,13 @@ Status WholeFolder::take_name() {
     struct stat old {};
     const bool replaces = ::stat(own.target.c_str(), &old) == 0;
     if (replaces) ::chmod(own.beside.c_str(), old.st_mode & 07777U);
-    // After an exchange, the old folder has the temporary name, and ~Growing() removes it.
+    // ~Growing() removes what has the temporary name by then: after an exchange, the old folder.
     if (!replaces || !exchange_names(own.beside, own.target)) {
         std::error_code error;
         if (replaces) fs::remove_all(own.target, error);
         fs::create_directories(folder_of(own.target), error);
         if (!error) fs::rename(own.beside, own.target, error);
         if (error) return write_error(own.named, error.value());
-        own.is_there = false;
-        forget_unfinished(own.beside);
     }
     keep_folder(folder_of(own.target));
     return std::monostate{};
