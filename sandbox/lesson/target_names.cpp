@@ -70,33 +70,11 @@ constexpr std::pair<std::string_view, const char*> former_names[] = {
     {"button:normalise", "button:normalize"},
     {"chart:precision.quantisation", "chart:precision.quantization"}};
 
-constexpr const char* without_control[] = {"version",
-                                           "overrides",
-                                           "follow",
-                                           "ui",
-                                           "scene",
-                                           "lights",
-                                           "planes",
-                                           "visibility.raster",
-                                           "visibility.pixel",
-                                           "view.depth_range",
-                                           "view.samples",
-                                           "view.plane",
-                                           "view.light",
-                                           "view.beside.share",
-                                           "view.beside.set",
-                                           "view.pixel",
-                                           "view.pin",
-                                           "view.cells",
-                                           "view.call",
-                                           "view.triangle",
-                                           "view.pass",
-                                           "view.derivation_step",
-                                           "view.division",
-                                           "view.way",
-                                           "view.lower_left",
-                                           "view.lower_right",
-                                           "view.layout"};
+/// Whether the field, or a field of the group, has a control.
+bool has_control(std::string_view path) {
+    return std::any_of(fields().begin(), fields().end(),
+                       [path](const Field& field) { return field.has_control && is_in(field.path, path); });
+}
 
 int component_count(const Field& field) {
     const std::string_view type = type_name(field);
@@ -134,11 +112,6 @@ std::string index_error(std::string_view name, const std::string& whole, const I
 }
 
 }  // namespace
-
-bool has_control(std::string_view path) {
-    return std::none_of(std::begin(without_control), std::end(without_control),
-                        [path](const char* out) { return is_in(path, out); });
-}
 
 std::vector<std::string> target_names() {
     std::vector<std::string> names;

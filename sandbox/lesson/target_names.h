@@ -16,9 +16,6 @@ namespace viewing {
 /// that begins that way.
 inline constexpr const char* named_calls[] = {"glClear(", "glDepthMask(GL_FALSE)", "glEnable(GL_CULL_FACE)"};
 
-/// Whether the field, or the group of fields, has a control in the panel or in the camera view's headline.
-bool has_control(std::string_view path);
-
 /// Returns the name in the form that the window uses. For an unknown name, the error is a sentence that suggests the
 /// nearest one.
 Result<std::string> read_target(std::string_view name);

@@ -75,6 +75,7 @@ struct Field {
     std::string_view path;  ///< "projection.near"
     FieldRef (*place)(Params& params, std::size_t element) = nullptr;
     std::string_view label;      ///< as shown on the panel: "z-near"
+    bool has_control = true;     ///< in the panel or in the camera view's headline
     std::string_view unit = "";  ///< "world units", "°", "" …
     double min = -1e12;          ///< inclusive, per component; ±1e12 if nothing else limits it
     double max = 1e12;

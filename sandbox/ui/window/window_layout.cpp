@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "lesson/target_names.h"
 #include "state/fields.h"
 #include "text/per_enum.h"
 #include "topics/matrices/shown/display_code_view.h"
@@ -15,7 +14,7 @@ namespace {
 
 /// Approximate number of rows that a field's control takes in the panel.
 int rows_of(const Field& field) {
-    if (!has_control(field.path)) return 0;
+    if (!field.has_control) return 0;
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
     const bool has_long_name = field.path == "shadow.lift";  // in Korean, the name is above the number
     return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : 1;
