@@ -202,8 +202,8 @@ std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, 
     return told;
 }
 
-/// Draws the sentences of at most three problems, and only those that begin above the picture's middle. A small button
-/// shows the other sentences. Returns the covered area.
+/// Draws the first problem's sentence and at most two more, if they end above the picture's middle. A small button shows
+/// the other sentences. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     constexpr std::size_t most = 3;
     const float first = rect.min.y + px(15.0F);
@@ -213,11 +213,12 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     const std::size_t shown = is_open ? told_ones.size() : std::min(most, told_ones.size());
     // If all sentences are open, leave space for the button that closes them.
     const float last = is_open ? rect.max.y - px(90.0F) : (rect.min.y + rect.max.y) * 0.5F;
-    float top = first;
+    float top = first, height = 0.0F;  // assumes that the next sentence is as tall as the one before
     std::size_t fitting = 0;
-    while (fitting < shown && top < last) {
+    while (fitting < shown && top + height < last) {
         const float next = tell_why(session, *told_ones[fitting], rect, top);
         if (next == top) break;
+        height = next - top;
         top = next;
         ++fitting;
     }
