@@ -176,7 +176,8 @@ Tensor product(lua_State* lua, const Tensor& a, const Tensor& b) {
 }
 
 int times(lua_State* lua) {
-    return push(lua, product(lua, matrix_at(lua, 1), vector_at(lua, 2)));
+    const Tensor matrix = matrix_at(lua, 1), vector = vector_at(lua, 2);
+    return push(lua, product(lua, matrix, vector));
 }
 
 /// Transforms a point by a matrix: appends w = 1 and divides by the resulting w. A 3 × 3 matrix has no w.
@@ -286,7 +287,8 @@ int reflection_matrix(lua_State* lua) {
 }
 
 int shadow_matrix_of(lua_State* lua) {
-    return push(lua, tensor_of(shadow_matrix(dvec4_of(vector_at(lua, 1, 4)), dvec4_of(vector_at(lua, 2, 4)))));
+    const Tensor plane = vector_at(lua, 1, 4), light = vector_at(lua, 2, 4);
+    return push(lua, tensor_of(shadow_matrix(dvec4_of(plane), dvec4_of(light))));
 }
 
 // ---- vectors -------------------------------------------------------------------------------------------------------
@@ -356,7 +358,8 @@ bool are_close(const Tensor& a, const Tensor& b, double tolerance) {
 }
 
 int close(lua_State* lua) {
-    return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), luaL_checknumber(lua, 3)));
+    const Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
+    return push_truth(lua, are_close(a, b, luaL_checknumber(lua, 3)));
 }
 
 /// Compares two tensors up to a factor: finds the position of the first tensor's largest entry, and divides each tensor

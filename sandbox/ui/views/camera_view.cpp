@@ -202,8 +202,8 @@ std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, 
     return told;
 }
 
-/// Draws the first problem's sentence and at most two more, if they end above the picture's middle. A small button shows
-/// the other sentences. Returns the covered area.
+/// Draws the first problem's sentence and at most two more, if they end above the picture's middle. A small button
+/// shows the other sentences. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     constexpr std::size_t most = 3;
     const float first = rect.min.y + px(15.0F);

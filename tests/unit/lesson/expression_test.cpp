@@ -93,6 +93,9 @@ TEST(Expression, ErrorIsOneSentence) {
     EXPECT_NE(trouble("close(V, 1)").find("number expected"), std::string::npos);
     EXPECT_EQ(trouble("S"), "S is not here");
     EXPECT_EQ(trouble("reversed()"), "bad argument #1 to 'reversed' (table expected, got no value)");
+    // With several wrong arguments, the first is named, whatever order the compiler reads them in.
+    for (const char* const wrong : {"times(1, 1)", "close('a', 'b', 'c')", "shadow_matrix({1}, {2})"})
+        EXPECT_TRUE(trouble(wrong).starts_with("bad argument #1 to")) << wrong << ": " << trouble(wrong);
     EXPECT_NE(trouble("apply"), "");
     EXPECT_EQ(holds("1 + 1", around()).error(), "must be true or false, got the number 2");
     for (const char* const broken : {"1 +", "V[", "}", "", "a b", "\"", "1 = 2"})
