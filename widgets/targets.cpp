@@ -127,17 +127,6 @@ void MarkLine(std::string_view name, ImVec2 min, ImVec2 max) {
     MarkTarget(name, ImVec2(min.x, min.y + Px(frame_margin)), ImVec2(max.x, max.y - Px(frame_margin)));
 }
 
-std::vector<std::string> MissingTargets() {
-    const Targets& targets = Current();
-    std::vector<std::string> missing;
-    for (const std::string& name : targets.highlighted) {
-        const bool is_found = std::any_of(targets.found.begin(), targets.found.end(),
-                                          [&name](const Targets::Found& found) { return found.name == name; });
-        if (!is_found) missing.push_back(name);
-    }
-    return missing;
-}
-
 void Plate(const char* label, ImVec2 size) {
     const ImVec2 min = ImGui::GetCursorScreenPos();
     size = ImVec2(std::max(size.x, 1.0F), std::max(size.y, 1.0F));

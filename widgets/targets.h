@@ -72,9 +72,6 @@ void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max);
 void MarkLine(std::string_view name);
 void MarkLine(std::string_view name, ImVec2 min, ImVec2 max);
 
-/// Returns the highlighted names that were not found in this frame.
-std::vector<std::string> MissingTargets();
-
 /// Draws an opaque plate with "?" that replaces a covered part. Recorded under `label` with the text "?".
 void Plate(const char* label, ImVec2 size);
 /// Draws a plate of this width (0: the item width) for a covered control, with the control's usual label.

@@ -8,6 +8,7 @@
 #include "figure/faces.h"
 #include "state/fields.h"
 #include "ui/parts/topics.h"
+#include "ui/views/lower_view.h"
 #include "ui/window/recording.h"
 
 namespace viewing {
@@ -49,7 +50,8 @@ void lead(Studio& studio, const LessonPicture& wanted) {
 /// Returns the window's sentence for an empty view. If that sentence asks for a click, instead returns one that names
 /// the setting that would fill the view.
 std::string nothing_to_show(PictureView view, const Params& params, const std::string& offered) {
-    const bool wants_pixel = view == PictureView::cells || view == PictureView::pixel;
+    const Topic topic = topic_of(view, params);
+    const bool wants_pixel = topic != Topic::automatic && examines_pixel(lower_view(topic));
     const std::string name = picture_view_names[static_cast<std::size_t>(view)];
     if (wants_pixel && !params.view.pixel && !params.view.pin)
         return "the view " + name + " needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]";

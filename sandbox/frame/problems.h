@@ -1,4 +1,4 @@
-// Finds problems and surprises in a state, as sentences that say where each problem comes from. Uses derive()'s numbers
+// Finds problems and surprises in a state, as messages that say where each problem comes from. Uses derive()'s numbers
 // and plan()'s frame.
 #pragma once
 

@@ -48,8 +48,8 @@ struct LessonChoice {
 
 /// An answer: numbers row by row, or indices (from 0) into the list of choices or items.
 struct Answer {
-    std::vector<double> numbers;
-    std::vector<int> items;
+    std::vector<double> numbers = {};
+    std::vector<int> items = {};
     bool empty() const { return numbers.empty() && items.empty(); }
     bool operator==(const Answer&) const = default;
 };

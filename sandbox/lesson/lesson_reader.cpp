@@ -100,7 +100,7 @@ LessonFile glance_at(const fs::path& path) {
         for (std::size_t i = 0; i < file.listed_steps.size(); ++i) {
             const Json& step = document["steps"][i];
             LessonFile::Step& listed = file.listed_steps[i];
-            if (has(step, "slides")) listed.slides = read_slides(step, root);
+            if (has(step, "slides")) listed.slides = form::slides().read(step["slides"], root);
             if (has(step, "ask") && has(step["ask"], "question"))
                 listed.question = question.read(step["ask"]["question"], root);
         }

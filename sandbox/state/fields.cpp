@@ -108,8 +108,7 @@ const Field all_fields[] = {
      .max = turns_limit_deg,
      .step = 0.5,
      .help = "Yaw (heading on the slides): the rotation about the y axis, positive to the left. At 0, the camera looks "
-             "along −z. Walking "
-             "changes only this angle.",
+             "along −z. Walking changes only this angle.",
      .formula = camera_formula},
     {.path = "camera.pitch",
      .place = IN(camera.pitch),
@@ -612,8 +611,8 @@ const Field all_fields[] = {
      .label = "sign of S",
      .help = "The factor by which S is multiplied before it is uploaded. With plane_dot_light, it is the sign of "
              "n·ℓ + d, so w is positive between light and plane. With none, S is uploaded unchanged, and every shadow "
-             "vanishes "
-             "when the normal points away from the light. With forced, each vertex with a negative w is negated, and "
+             "vanishes when the normal points away from the light. With forced, each vertex with a negative w is "
+             "negated, and "
              "casters beyond the light cast an anti-shadow.",
      .formula = "sign(n·ℓ + d) S"},
     {.path = "shadow.write_depth",

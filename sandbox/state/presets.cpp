@@ -7,8 +7,8 @@
 #include "platform/file.h"
 #include "platform/text_file.h"
 #include "state/file/document.h"
+#include "state/file/form.h"
 #include "state/file/link.h"
-#include "state/file/reader.h"
 #include "state/file/state_json.h"
 #include "state/scene.h"
 #include "text/words.h"
@@ -21,26 +21,20 @@ namespace fs = std::filesystem;
 
 constexpr const char* opening = "opening";
 
-/// Reads the title, description, group and fix as far as possible; errors are reported when the file is loaded.
+/// Reads the titles as far as possible; errors are reported when the file is loaded.
 NamedFile named_file(const fs::path& path) {
-    NamedFile named{path.stem().string(), path.stem().string(), "", "", "", path};
+    NamedFile named;
+    named.name = path.stem().string();
+    named.path = path;
     const Result<std::string> text = read_text_file(path);
     const Result<Json> document =
         text ? guarded([&] { return parse_document(*text, ""); }) : Result<Json>(Error{text.error()});
     if (document && document->is_object()) {
-        const auto take = [&document](const char* key, std::string& target) {
-            if (document->contains(key) && (*document)[key].is_string()) {
-                target = (*document)[key].get<std::string>();
-            }
-        };
-        take("title", named.title);
-        take("about", named.about);
-        take("group", named.group);
-        take("mended_by", named.fixed_by);
-        const Result<std::vector<int>> slides = guarded([&] { return read_slides(*document, Where{"", ""}); });
-        if (slides) named.slides = *slides;
+        std::vector<std::string> mistakes;
+        titles_form().read_members(named, *document, Where{"", "", &mistakes});
         named.sets_looks = document->contains("ui");
     }
+    if (named.title.empty()) named.title = named.name;
     return named;
 }
 

@@ -16,19 +16,13 @@
 
 namespace viewing {
 
-struct NamedFile {
-    std::string name;   ///< file name without .json, as typed on the command line
-    std::string title;  ///< its "title" field, else the name
-    std::string about;  ///< its "about" field, one sentence
-    std::string group;  ///< its "group" field: the heading above it in a list; "" for none
-    /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes the picture, written as on
-    /// the command line.
-    std::string fixed_by;
+/// A file with its titles; without a title, the name is its title.
+struct NamedFile : Titles {
+    std::string name;  ///< file name without .json, as typed on the command line
     std::filesystem::path path;
     /// Whether its state sets the theme or the text size; if so, the preset opens only from the list, and Page Down
     /// skips it.
     bool sets_looks = false;
-    std::vector<int> slides = {};  ///< its "slides" field: the lecture slides to which the file belongs
 };
 
 /// Returns the presets of the assets directory in the order of the lecture, as listed in lecture.json next to them

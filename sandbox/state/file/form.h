@@ -302,6 +302,11 @@ public:
                 if (member) readers_[i](*member, where.key(members[i].name), object);
             });
     }
+    /// Reads the members, and removes them from the value.
+    void take_members(T& object, Json& value, const Where& where) const {
+        read_members(object, value, where);
+        for (const Key& key : members) value.erase(key.name);
+    }
     T read(const Json& value, const Where& where, T object = {}) const {
         read_into(object, value, where);
         return object;
@@ -335,5 +340,6 @@ private:
 namespace viewing {
 
 form::Object<SceneDescription> scene_form();
+const form::Object<Titles>& titles_form();
 
 }  // namespace viewing

@@ -67,32 +67,20 @@ void refuse_unknown(const Where& where) {
     where.refuse("no such field; " + (group.empty() ? "the fields are " : std::string(group) + " has ") + all);
 }
 
-std::vector<int> read_slides(const Json& object, const Where& where) {
-    return object.contains("slides") ? form::slides().read(object["slides"], where.key("slides")) : std::vector<int>();
+const form::Object<Titles>& titles_form() {
+    static const form::Object<Titles> titles = form::Object<Titles>()
+                                                   .optional("$schema", form::text(), &Titles::schema)
+                                                   .optional("title", form::text(), &Titles::title)
+                                                   .optional("about", form::text(), &Titles::about)
+                                                   .optional("group", form::text(), &Titles::group)
+                                                   .optional("mended_by", form::text(), &Titles::fixed_by)
+                                                   .optional("slides", form::slides(), &Titles::slides);
+    return titles;
 }
 
 Titles take_titles(Json& document, const Where& where) {
     Titles titles;
-    if (!document.is_object()) {
-        return titles;
-    }
-    const auto take = [&](const char* key, std::string& text) {
-        if (!document.contains(key)) {
-            return;
-        }
-        if (!document[key].is_string()) {
-            refuse_value(document[key], where.key(key), "a string");
-        }
-        text = document[key].get<std::string>();
-        document.erase(key);
-    };
-    take("$schema", titles.schema);
-    take("title", titles.title);
-    take("about", titles.about);
-    take("group", titles.group);
-    take("mended_by", titles.fixed_by);
-    titles.slides = read_slides(document, where);
-    document.erase("slides");
+    if (document.is_object()) titles_form().take_members(titles, document, where);
     return titles;
 }
 

@@ -75,9 +75,6 @@ void require_one_camera(const Json& camera, const Where& where);
 /// far, a nonzero normal, a nonzero light, and planes and lights that exist.
 void check_together(const Params& params, const std::string& prefix);
 
-/// Reads "slides" of an object: the lecture slides to which the object belongs; empty if there are none.
-std::vector<int> read_slides(const Json& object, const Where& where);
-
 /// Checks the titles of a file, which are all optional, removes them from the tree, and returns them.
 Titles take_titles(Json& document, const Where& where);
 

@@ -9,10 +9,8 @@ using form::object_of;
 
 /// Returns the properties with the titles in front.
 Json with_titles(const Json& properties) {
-    Json all = Json::object();
-    for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};
     Json none;
-    all["slides"] = form::slides().schema(none);
+    Json all = titles_form()(none)["properties"];
     all.update(properties);
     return all;
 }

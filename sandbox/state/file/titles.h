@@ -12,7 +12,7 @@ struct Titles {
     std::string title;             ///< a few words
     std::string about;             ///< a sentence
     std::string group;             ///< the heading above it in a list
-    std::string fixed_by;          ///< for a state that breaks the picture: the setting that fixes it
+    std::string fixed_by;          ///< "mended_by", for a state that breaks the picture: the setting that fixes it
     std::vector<int> slides = {};  ///< the lecture slides to which the file belongs
     bool operator==(const Titles&) const = default;
 };

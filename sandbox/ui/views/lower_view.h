@@ -59,10 +59,13 @@ inline bool is_any_shown(const Params& params, bool LowerView::*property) {
     return lower_view(params, Slot::left).*property || lower_view(params, Slot::right).*property;
 }
 
-/// Whether a lower view examines the pinned pixel. If so, a click in the camera view pins a pixel.
+/// Whether a view examines the pinned pixel.
+inline bool examines_pixel(const LowerView& view) {
+    return view.reads_fragments || view.reads_cells || view.explains_pixel;
+}
+/// Whether one of the two slots shows such a view. If so, a click in the camera view pins a pixel.
 inline bool examines_pixel(const Params& params) {
-    return is_any_shown(params, &LowerView::reads_fragments) || is_any_shown(params, &LowerView::reads_cells) ||
-           is_any_shown(params, &LowerView::explains_pixel);
+    return examines_pixel(lower_view(params, Slot::left)) || examines_pixel(lower_view(params, Slot::right));
 }
 
 /// The topics' titles for the list, in the order of Topic; the first one is `automatic`.

@@ -40,7 +40,7 @@ SceneObject facing_quad(const std::string& name, double distance, bool back = fa
 
 std::vector<Fragment> fragments_of(const Params& params, const Scene& scene, glm::ivec2 pixel = center_px,
                                    glm::ivec2 size = fragment_px) {
-    return fragments_at(params, derive(params, scene, {size, true}), scene, pixel, size);
+    return FragmentFinder(scene).at(plan(params, derive(params, scene, {size, true})), pixel, size);
 }
 
 std::vector<Fragment> fragments_of(const std::vector<std::string>& settings, const Scene& scene) {

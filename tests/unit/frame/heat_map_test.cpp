@@ -18,6 +18,16 @@ HeatMap map_of(const std::vector<std::string>& settings, const Scene& scene = {}
     return heat_map(params, derive(params, scene, {}), scene);
 }
 
+/// The onset at a distance, interpolated like the shader does: its logarithm is linear between the entries.
+double onset_at(const HeatMap& map, double distance) {
+    const double range = std::log(map.far / map.near);
+    const double share = range > 0.0 ? std::clamp(std::log(distance / map.near) / range, 0.0, 1.0) : 0.0;
+    const double place = share * static_cast<double>(HeatMap::entry_count - 1);
+    const auto entry = std::min(static_cast<std::size_t>(place), HeatMap::entry_count - 2);
+    return std::exp(
+        std::lerp(std::log(map.onsets[entry]), std::log(map.onsets[entry + 1]), place - static_cast<double>(entry)));
+}
+
 double lightness(const Color& color) {
     const auto linear = [](std::uint8_t byte) { return std::pow(byte / 255.0, 2.2); };
     return std::cbrt(0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b));
@@ -30,7 +40,7 @@ TEST(HeatMap, OnsetIsTheWorkedStepAt16Bits) {
     EXPECT_NEAR(map.distance_of(HeatMap::entry_count - 1), 200.0, 1e-9);
     for (const double z : {1.0, 4.0, 14.0, 44.0}) {
         const double step = z * z * (200.0 - 0.5) / (200.0 * 0.5 * 65535.0);
-        EXPECT_NEAR(map.onset_at(z), step, 0.03 * step) << z;
+        EXPECT_NEAR(onset_at(map, z), step, 0.03 * step) << z;
     }
 }
 
@@ -47,8 +57,8 @@ TEST(HeatMap, IsCloseToTheFormulaBetweenEntries) {
                 const double z = 0.1 * std::pow(5000.0, random.number(0.3, 1.0));
                 const FightingOnset onset = fighting_onset(coding, z);
                 if (!onset.is_reachable) continue;
-                EXPECT_GT(map.onset_at(z), 0.5 * onset.gap()) << format << " " << mapping << " z " << z;
-                EXPECT_LT(map.onset_at(z), 2.0 * onset.gap()) << format << " " << mapping << " z " << z;
+                EXPECT_GT(onset_at(map, z), 0.5 * onset.gap()) << format << " " << mapping << " z " << z;
+                EXPECT_LT(onset_at(map, z), 2.0 * onset.gap()) << format << " " << mapping << " z " << z;
             }
         }
     }
@@ -60,8 +70,8 @@ TEST(HeatMap, IsPositiveAndFiniteForAnyLens) {
             for (const char* const type : {"projection.type=perspective", "projection.type=orthographic"}) {
                 const HeatMap map = map_of({near, "projection.far=40", format, type});
                 for (const double z : {-1.0, 0.0, 1e-9, 0.5, 39.95, 40.0, 1e9}) {
-                    EXPECT_GT(map.onset_at(z), 0.0);
-                    EXPECT_TRUE(std::isfinite(map.onset_at(z)));
+                    EXPECT_GT(onset_at(map, z), 0.0);
+                    EXPECT_TRUE(std::isfinite(onset_at(map, z)));
                 }
             }
 }
@@ -70,7 +80,7 @@ TEST(HeatMap, NoGapIsWideEnoughJustBehindNear) {
     // At four bits, the first codes span a wide range, so a surface just behind the near plane has the same code as any
     // surface in front of it.
     const HeatMap map = map_of({"projection.near=1", "projection.far=100", "depth.format=d4"});
-    for (const double z : {1.0, 1.01, 1.03}) EXPECT_GT(map.onset_at(z), z - 1.0) << z;
+    for (const double z : {1.0, 1.01, 1.03}) EXPECT_GT(onset_at(map, z), z - 1.0) << z;
 }
 
 TEST(HeatMap, GivesEachObjectItsSmallestGap) {
@@ -86,17 +96,9 @@ TEST(HeatMap, GivesEachObjectItsSmallestGap) {
 }
 
 TEST(HeatMap, ColorsIncreaseInLightness) {
-    double before = 0.0;
-    for (const double ratio : {0.0, 0.2, 0.5, 0.7, 0.99, 1.0, 1.5, 2.0, 3.0, 4.0}) {
-        const double now = lightness(heat_color(ratio));
-        EXPECT_GT(now, before) << ratio;
-        before = now;
-    }
-    EXPECT_EQ(heat_color(4.0), heat_color(1e9));
-    EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
-    EXPECT_EQ(heat_color(0.5), heat_colors[1]);
-    EXPECT_EQ(heat_color(2.0), heat_colors[4]);
-    EXPECT_GT(lightness(heat_color(1.0)), lightness(heat_color(0.9999)) + 0.05) << "a clear edge where fighting begins";
+    for (std::size_t i = 1; i < heat_colors.size(); ++i)
+        EXPECT_GT(lightness(heat_colors[i]), lightness(heat_colors[i - 1])) << i;
+    EXPECT_GT(lightness(heat_colors[3]), lightness(heat_colors[2]) + 0.05) << "a clear edge where fighting begins";
 }
 
 }  // namespace

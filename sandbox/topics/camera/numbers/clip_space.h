@@ -16,9 +16,8 @@ glm::dmat4 division_from_view(const Params& params, const Derived& derived);
 /// belongs to the outside camera; the other members describe the state's camera.
 ObserverView derive_clip_view(const Params& params, const Derived& derived, const Viewport& viewport);
 
-/// The spaces that a point passes through, in the order of view.way.
-enum class WaySpace { world, eye, clip, ndc, window };
-constexpr int way_steps = 4;  ///< matrices and the division between these spaces
+/// The steps of view.way: the matrices and the division between the world, eye space, clip space, NDC and the window.
+constexpr int way_steps = 4;
 
 /// Returns the projective map from the world to the space that view.way has reached: the world, moved and scaled to
 /// the observer's distance; eye space and NDC as in division_from_view; clip space without its z, as (x, y, −w), in

@@ -413,9 +413,4 @@ std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector
     return DrawLimit{static_cast<int>(call - calls.begin()), fragment.triangle + 1};
 }
 
-std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,
-                                   glm::ivec2 size_px) {
-    return FragmentFinder(scene).at(plan(params, derived), pixel, size_px);
-}
-
 }  // namespace viewing

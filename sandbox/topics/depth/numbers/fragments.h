@@ -91,9 +91,4 @@ private:
     std::vector<std::shared_ptr<const BoxTree>> trees_;  ///< one per object
 };
 
-/// Returns the fragments of one pixel, for frames whose method draws in scene order. For many queries, use a
-/// FragmentFinder.
-std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,
-                                   glm::ivec2 size_px);
-
 }  // namespace viewing

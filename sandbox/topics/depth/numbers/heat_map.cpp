@@ -6,25 +6,8 @@
 #include "topics/depth/numbers/fighting.h"
 
 namespace viewing {
-namespace {
-
-/// Returns the position of `value` between `from` and `to` on a logarithmic scale; 0 if these are equal.
-double logarithmic_place(double value, double from, double to) {
-    const double range = std::log(to / from);
-    return range > 0.0 ? std::clamp(std::log(value / from) / range, 0.0, 1.0) : 0.0;
-}
-
-}  // namespace
-
 double HeatMap::distance_of(std::size_t entry) const {
     return near * std::pow(far / near, static_cast<double>(entry) / static_cast<double>(entry_count - 1));
-}
-
-double HeatMap::onset_at(double distance) const {
-    const double place = logarithmic_place(std::max(distance, near), near, far) * static_cast<double>(entry_count - 1);
-    const auto entry = std::min(static_cast<std::size_t>(place), entry_count - 2);
-    const double share = place - static_cast<double>(entry);
-    return std::exp((1.0 - share) * std::log(onsets[entry]) + share * std::log(onsets[entry + 1]));
 }
 
 HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scene) {
@@ -49,17 +32,6 @@ HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scen
         }
     }
     return made;
-}
-
-Color heat_color(double ratio) {
-    const double place = ratio < 1.0 ? 2.0 * std::max(ratio, 0.0) : 3.0 + std::min(std::log2(ratio), 2.0);
-    const auto first = std::min(static_cast<std::size_t>(place), ratio < 1.0 ? std::size_t{1} : std::size_t{4});
-    const double share = place - static_cast<double>(first);
-    const Color &a = heat_colors[first], &b = heat_colors[first + 1];
-    const auto mixed = [share](int from, int to) {
-        return static_cast<std::uint8_t>(std::lround((1.0 - share) * from + share * to));
-    };
-    return {mixed(a.r, b.r), mixed(a.g, b.g), mixed(a.b, b.b)};
 }
 
 }  // namespace viewing

@@ -35,10 +35,6 @@ struct HeatMap {
     /// Returns the eye distance of an entry.
     double distance_of(std::size_t entry) const;
 
-    /// Returns the onset at a distance by interpolating its logarithm between the entries; outside near … far, uses the
-    /// nearer end.
-    double onset_at(double distance) const;
-
     bool operator==(const HeatMap&) const = default;
 };
 
@@ -53,8 +49,5 @@ inline constexpr std::array<Color, 6> heat_colors = {{{0x8e, 0x1b, 0x12},
                                                       {0xee, 0xa2, 0x4a},
                                                       {0xf3, 0xcb, 0x85},
                                                       {0xc3, 0xe0, 0xf0}}};
-
-/// Returns the color of a ratio; a negative ratio counts as 0.
-Color heat_color(double ratio);
 
 }  // namespace viewing

@@ -67,6 +67,7 @@ private:
 PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, PainterKey key,
                            WorkProgress* progress) {
     PainterOrder result;
+    result.key = key;
     result.distances.reserve(polygons.size());
     for (const Polygon& polygon : polygons) {
         if (is_time_to_look(result.distances.size()) && is_canceled(progress)) break;

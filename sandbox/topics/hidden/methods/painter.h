@@ -15,8 +15,9 @@
 namespace viewing {
 
 struct PainterOrder {
+    PainterKey key{};
     std::vector<int> order;         ///< indices into the polygons, the farthest first; grows by one per step
-    std::vector<double> distances;  ///< the key of every polygon, in the polygons' order
+    std::vector<double> distances;  ///< the value of `key` for every polygon, in the polygons' order
     std::int64_t comparisons = 0, swaps = 0;
 };
 
