@@ -43,6 +43,25 @@ bool is_known_file(const std::filesystem::path& file) {
     return file.extension() == ".json" || is_figure_name(file) || is_obj_file(file);
 }
 
+/// Adds the session's state to a lesson file as its last step, or creates the file. Runs in the background.
+void append_step(Session& session, const std::filesystem::path& file, const std::vector<std::string>& highlight) {
+    const std::string preset = session.preset() ? session.preset()->name : "";
+    const auto work = [file, params = session.params, preset, highlight]() -> Status {
+        std::error_code unknown;
+        std::string existing;
+        if (std::filesystem::exists(file, unknown)) {
+            Result<std::string> read = read_text_file(file);
+            if (!read) return Error{read.error()};
+            existing = *std::move(read);
+        }
+        const Result<std::string> lesson = with_step(existing, file.filename().string(), params, preset, highlight);
+        if (!lesson) return Error{lesson.error()};
+        return write_file(file, *lesson);
+    };
+    session.write(work, say("the state was added to {file} as the last step: now fill in the text of that step",
+                            "file"_a = file.string()));
+}
+
 }  // namespace
 
 void FileDialog::show(Purpose purpose) {
@@ -111,29 +130,6 @@ void FileDialog::take_listing() {
     entries_ = std::move((*listing)->entries);
     if (!(*listing)->error.empty()) error_ = (*listing)->error;
 }
-
-namespace {
-
-/// Adds the session's state to a lesson file as its last step, or creates the file. Runs in the background.
-void append_step(Session& session, const std::filesystem::path& file, const std::vector<std::string>& highlight) {
-    const std::string preset = session.preset() ? session.preset()->name : "";
-    const auto work = [file, params = session.params, preset, highlight]() -> Status {
-        std::error_code unknown;
-        std::string existing;
-        if (std::filesystem::exists(file, unknown)) {
-            Result<std::string> read = read_text_file(file);
-            if (!read) return Error{read.error()};
-            existing = *std::move(read);
-        }
-        const Result<std::string> lesson = with_step(existing, file.filename().string(), params, preset, highlight);
-        if (!lesson) return Error{lesson.error()};
-        return write_file(file, *lesson);
-    };
-    session.write(work, say("the state was added to {file} as the last step: now fill in the text of that step",
-                            "file"_a = file.string()));
-}
-
-}  // namespace
 
 void FileDialog::take_chosen(Session& session) {
     const std::optional<std::filesystem::path> chosen = chosen_file();

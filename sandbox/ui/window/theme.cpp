@@ -1,18 +1,13 @@
 #include "ui/window/theme.h"
 
+#include "text/per_enum.h"
+
 namespace viewing {
 
 const widgets::Palette& palette_of(Theme theme) {
     using widgets::ThemeKind;
-    switch (theme) {
-        case Theme::dark:
-            return widgets::palette_of(ThemeKind::dark);
-        case Theme::light:
-            return widgets::palette_of(ThemeKind::light);
-        case Theme::projector:
-            break;
-    }
-    return widgets::palette_of(ThemeKind::projector);
+    static constexpr auto kinds = per_enum<Theme>(ThemeKind::dark, ThemeKind::light, ThemeKind::projector);
+    return widgets::palette_of(kinds[theme]);
 }
 
 }  // namespace viewing
