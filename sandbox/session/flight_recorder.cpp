@@ -4,8 +4,10 @@
 #include <ctime>
 #include <utility>
 
+#include "platform/file.h"
 #include "platform/free_file.h"
 #include "state/file/state_json.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -50,6 +52,31 @@ std::optional<Flight> FlightRecorder::end() {
     std::optional<Flight> recorded = std::move(flight_);
     *this = {};
     return recorded;
+}
+
+void FlightRecorder::write(Session& session) {
+    const bool was_full = is_full_;
+    const std::optional<Flight> flight = end();
+    if (!flight) return;
+    const std::filesystem::path file = new_flight_file();
+    const std::string seconds = fmt::format("{:.1f}", flight->seconds);
+    session.write(
+        [file, flight] { return write_file(file, write_flight(*flight)); },
+        was_full ? say("maximum flight length reached: {seconds} s written to {file}", "seconds"_a = seconds,
+                       "file"_a = file.string())
+                 : say("flight of {seconds} s written to {file}", "seconds"_a = seconds, "file"_a = file.string()));
+}
+
+void FlightRecorder::toggle(Session& session) {
+    if (is_recording_) return write(session);
+    begin();
+    session.message = {tr("recording a flight: F9 stops it and writes the file"), false};
+}
+
+std::string FlightRecorder::sign() const {
+    if (!is_recording_) return "";
+    const auto seconds = static_cast<int>(seconds_);
+    return say("● REC {clock}", "clock"_a = fmt::format("{:02}:{:02}", seconds / 60, seconds % 60));
 }
 
 std::filesystem::path new_flight_file() {

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
+#include "session/session.h"
 #include "state/file/flight.h"
 
 namespace viewing {
@@ -22,6 +24,12 @@ public:
     bool is_full() const { return is_full_; }
     /// Returns the recording; none if nothing was recorded.
     std::optional<Flight> end();
+    /// Ends the recording and writes it to a new file in the background.
+    void write(Session& session);
+    /// Starts a recording, or ends it and writes it.
+    void toggle(Session& session);
+    /// Returns the sign with the recording's duration; "" while nothing is recorded.
+    std::string sign() const;
 
 private:
     bool is_recording_ = false, is_full_ = false;

@@ -47,6 +47,7 @@ void Replay::begin(const LessonStep& step, const std::vector<ReplayStep>& steps)
 }
 
 void Replay::update(Session& session, double dt_s) {
+    if (std::shared_ptr<const Flight> opened = session.take_flight()) begin(std::move(opened));
     if (!walk_) return;
     if (put_ && session.params != in_own_looks_and_layout(session, *put_)) return stop();
     time_s_ = time_s_ ? *time_s_ + dt_s : 0.0;

@@ -20,7 +20,7 @@ public:
     void begin(const LessonStep& step, const std::vector<ReplayStep>& steps);
     bool is_playing() const { return walk_.has_value(); }
     void stop() { walk_.reset(); }
-    /// Called once a frame. Stops if anything else changes the state.
+    /// Called once a frame. Begins a flight that the session has opened. Stops if anything else changes the state.
     void update(Session& session, double dt_s);
 
 private:

@@ -349,7 +349,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::PopStyleVar();
     ImGui::PushFont(widgets.fonts.small_number);
     ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
-    const std::string recording = recording_sign();
+    const std::string recording = recorder.sign();
     const float room = recording.empty() ? 0.0F : ImGui::CalcTextSize(recording.c_str()).x + px(18.0F);
     if (!recording.empty()) {
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(widgets.palette.trouble), "%s", recording.c_str());

@@ -102,7 +102,7 @@ std::span<const WindowCommand> window_commands() {
         {marked("Copy link"), no_key, in_any_window, [](W& w, C c) { copy_link(w.guide, c.session, w.link_address); }},
         {marked("Snapshot"), KeyPress{Key::f12}, anywhere, [](W&, C c) { c.requests.snapshot = true; }, Open::dialog,
          marked("snapshot of the camera view")},
-        {marked("Record a flight"), KeyPress{Key::f9}, anywhere, [](W& w, C c) { w.toggle_recording(c.session); },
+        {marked("Record a flight"), KeyPress{Key::f9}, anywhere, [](W& w, C c) { w.recorder.toggle(c.session); },
          Open::dialog, marked("start or stop recording a flight; Esc stops playback")},
         {marked("Reset all"), no_key, in_free, [](W&, C c) { c.session.reset(); }},
         {marked("Compare with the state before the last edit"), no_key, without_lesson,

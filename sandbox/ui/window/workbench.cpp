@@ -395,7 +395,9 @@ void Workbench::draw_windows(Session& session, const WindowContent& content, con
     draw_columns(session, content, now);
     draw_views(session, content, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, content.status);
-    draw_recording_sign(now);
+    if (now.status_bar.empty() && recorder.is_recording())
+        ImGui::GetForegroundDrawList()->AddText({px(10.0F), px(8.0F)}, widgets.palette.trouble,
+                                                recorder.sign().c_str());
     widgets::StopUnlessShown(views.call_player);
     widgets::StopUnlessShown(views.pass_player);
     widgets::StopUnlessShown(views.way_player);
@@ -419,7 +421,8 @@ void Workbench::draw_windows(Session& session, const WindowContent& content, con
 
 Requests Workbench::draw(Session& session, const WindowContent& content, const FrameInput& all_input) {
     const FrameInput input = after_typing(all_input);
-    follow_flights(session, input.dt_s);
+    if (recorder.is_full()) recorder.write(session);
+    replay.update(session, input.dt_s);
     follow_lesson(session, input);
     remember_opened(session);
     Requests requests;

@@ -170,13 +170,6 @@ private:
     void show_topic(Topic topic, Session& session, const Layout& layout);
     void draw_file_menu(const CommandContext& context);
     void draw_look_menu(Session& session, Requests& requests);
-    /// Starts a recording, or ends it and writes its file in the background.
-    void toggle_recording(Session& session);
-    void end_recording(Session& session);
-    /// Ends a recording that is full, starts an opened flight, and advances the replay.
-    void follow_flights(Session& session, double dt_s);
-    std::string recording_sign() const;
-    void draw_recording_sign(const Layout& layout) const;
     void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status);
     void draw_windows(Session& session, const WindowContent& content, const FrameInput& input, MotionInput& motion,
                       Requests& requests);
