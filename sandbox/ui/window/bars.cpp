@@ -138,17 +138,16 @@ void paste(Guide& guide, Session& session) {
 void Workbench::draw_file_menu(const CommandContext& context) {
     if (!begin_menu(marked("File"), "file menu", marked("Open and save states, meshes and pictures"))) return;
     const WindowCommand* chosen = nullptr;
-    const auto item = [&](const char* name, const char* label = nullptr) {
-        const WindowCommand& command = command_named(name);
-        if (!label) label = name;
-        if (ImGui::MenuItem(widgets::LabelText(label).c_str(), key_text(command.key).c_str())) chosen = &command;
-        widgets::Record(label);
-    };
-    for (const char* name : {"Open…", "Save…", "Save as step…", "Copy state", "Copy link", "Paste state"}) item(name);
-    ImGui::Separator();
-    item("Snapshot");
-    item("Record a flight", recorder.is_recording() ? marked("Stop recording") : nullptr);
-    item("Reset all");
+    for (const FilePart part : {FilePart::files, FilePart::copies, FilePart::pastes, FilePart::others}) {
+        if (part == FilePart::others) ImGui::Separator();
+        for (const WindowCommand& command : window_commands()) {
+            if (command.file_part != part) continue;
+            const char* const label =
+                recorder.is_recording() && command.name_to_stop ? command.name_to_stop : command.name;
+            if (ImGui::MenuItem(widgets::LabelText(label).c_str(), key_text(command.key).c_str())) chosen = &command;
+            widgets::Record(label);
+        }
+    }
     if (!lectures_.empty()) ImGui::Separator();
     for (const LessonFile& lecture : lectures_) {
         korean.want(lecture.title.shown());

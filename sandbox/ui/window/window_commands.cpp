@@ -90,21 +90,25 @@ std::span<const WindowCommand> window_commands() {
         {marked("Leave the lesson"), no_key, in_lesson, [](W& w, C c) { w.leave_lesson(c.session); }},
         {marked("Exercises"), no_key, in_any_window, [](W& w, C) { w.exercise_page.open(w.exercises); }},
         {marked("Open…"), with_ctrl(Key::o), anywhere, [](W& w, C) { w.file_dialog_.show(FileDialog::Purpose::open); },
-         Open::list, marked("open, save")},
+         Open::list, marked("open, save"), FilePart::files},
         {marked("Save…"), with_ctrl(Key::s), anywhere, [](W& w, C) { w.file_dialog_.show(FileDialog::Purpose::save); },
-         Open::list, ""},
-        {marked("Save as step…"), no_key, in_any_window, [](W& w, C) { w.save_as_step(); }},
+         Open::list, "", FilePart::files},
+        {marked("Save as step…"), no_key, in_any_window, [](W& w, C) { w.save_as_step(); }, Open::nothing, nullptr,
+         FilePart::files},
         {marked("Edit this step"), no_key, in_lesson, [](W& w, C c) { w.open_step_editor(c.session); }},
         {marked("Copy state"), with_ctrl(Key::c), anywhere, [](W&, C c) { copy(c.session); }, Open::list,
-         marked("copy, paste the whole state")},
+         marked("copy, paste the whole state"), FilePart::copies},
         {marked("Paste state"), with_ctrl(Key::v), anywhere, [](W& w, C c) { w.paste_anything(c.session); }, Open::list,
-         ""},
-        {marked("Copy link"), no_key, in_any_window, [](W& w, C c) { copy_link(w.guide, c.session, w.link_address); }},
+         "", FilePart::pastes},
+        {marked("Copy link"), no_key, in_any_window, [](W& w, C c) { copy_link(w.guide, c.session, w.link_address); },
+         Open::nothing, nullptr, FilePart::copies},
         {marked("Snapshot"), KeyPress{Key::f12}, anywhere, [](W&, C c) { c.requests.snapshot = true; }, Open::dialog,
-         marked("snapshot of the camera view")},
+         marked("snapshot of the camera view"), FilePart::others},
         {marked("Record a flight"), KeyPress{Key::f9}, anywhere, [](W& w, C c) { w.recorder.toggle(c.session); },
-         Open::dialog, marked("start or stop recording a flight; Esc stops playback")},
-        {marked("Reset all"), no_key, in_free, [](W&, C c) { c.session.reset(); }},
+         Open::dialog, marked("start or stop recording a flight; Esc stops playback"), FilePart::others,
+         marked("Stop recording")},
+        {marked("Reset all"), no_key, in_free, [](W&, C c) { c.session.reset(); }, Open::nothing, nullptr,
+         FilePart::others},
         {marked("Compare with the state before the last edit"), no_key, without_lesson,
          [](W&, C c) { compare_with(OtherState::before_edit, c); }},
         {marked("Compare with the preset"), no_key, without_lesson,
@@ -189,11 +193,6 @@ const WindowCommand* command_of(const KeyPress& press, Place place) {
         if (!best || shift == press.shift) best = &command;
     }
     return best;
-}
-
-const WindowCommand& command_named(std::string_view name) {
-    const std::span<const WindowCommand> all = window_commands();
-    return *std::find_if(all.begin(), all.end(), [name](const WindowCommand& command) { return command.name == name; });
 }
 
 std::string key_text(const std::optional<KeyPress>& press) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "frame/problems.h"
@@ -28,6 +27,9 @@ enum class Open {
     dialog  ///< everything
 };
 
+/// The parts of the File menu, from top to bottom.
+enum class FilePart { none, files, copies, pastes, others };
+
 /// What a command may change, beside the window.
 struct CommandContext {
     Session& session;
@@ -44,6 +46,8 @@ struct WindowCommand {
     Open open = Open::nothing;
     /// Its line in the list of keys; "": its key is on the line of the command before it; null: not listed.
     const char* help = nullptr;
+    FilePart file_part = FilePart::none;  ///< where the File menu has it
+    const char* name_to_stop = nullptr;   ///< its name in the File menu while a flight is recorded
 
     bool is_in(Place place) const { return ((places >> static_cast<unsigned>(place)) & 1U) != 0; }
 };
@@ -51,8 +55,6 @@ struct WindowCommand {
 std::span<const WindowCommand> window_commands();
 /// The command of a key at a place; null if there is none.
 const WindowCommand* command_of(const KeyPress& press, Place place);
-/// The command with this name, which must exist.
-const WindowCommand& command_named(std::string_view name);
 
 /// Returns a key's name as the window shows it, such as "Ctrl+Shift+Z"; "" for a command without a key.
 std::string key_text(const std::optional<KeyPress>& press);
