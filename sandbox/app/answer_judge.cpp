@@ -166,7 +166,7 @@ void AnswerJudge::take(const Result<Verdict>& verdict, Workbench& workbench, Ses
         with_what_is_allowed(*verdict, ask, session.in_own_looks(run.step().start.params), session.params);
     run.take(told);
     const bool tells = !kind_of(ask).is_on_screen || told.right || !told.say.empty();
-    if (run.lesson().sheet && tells) workbench.exercises.record(run, told, session.params);
+    if (run.lesson().sheet && tells) workbench.exercises.desk.record(run, told, session.params);
     if (told.right) workbench.guide.reveal(session);
 }
 

@@ -210,7 +210,7 @@ void Studio::paint() {
 
 void Studio::make_exercises() {
     using Clock = std::chrono::steady_clock;
-    ExerciseDesk& exercises = workbench.exercises;
+    ExerciseDesk& exercises = workbench.exercises.desk;
     const Clock::time_point end = Clock::now() + a_moment;
     while (const std::optional<std::size_t> next = exercises.next_to_make()) {
         const ExerciseDesk::Entry& entry = exercises.entries()[*next];
@@ -230,7 +230,7 @@ void Studio::record(double dt_s) {
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
     const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading() ||
-                       workbench.replay.is_playing() || workbench.exercises.next_to_make().has_value();
+                       workbench.replay.is_playing() || workbench.exercises.desk.next_to_make().has_value();
     const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind ||
                       session.params != drawn_.params || is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
@@ -241,8 +241,8 @@ double Studio::next_redraw_in_s() const {
     if (works) return 0.1;  // shows the progress; the end of background work wakes the window
     const double recorded_s = workbench.recorder.seconds();
     double in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
-    in_s = sooner(in_s, Workbench::message_ends_in_s(session.message));
-    in_s = sooner(in_s, workbench.exercises.update_due_in_s(ImGui::GetTime()));
+    in_s = sooner(in_s, message_ends_in_s(session.message));
+    in_s = sooner(in_s, workbench.exercises.desk.update_due_in_s(ImGui::GetTime()));
     if (workbench.recorder.is_recording()) in_s = sooner(in_s, std::floor(recorded_s) + 1.0 - recorded_s);
     if (workbench.guide.watches_file()) in_s = sooner(in_s, 1.0);
     const PresenterMode& presenter = workbench.presenter;

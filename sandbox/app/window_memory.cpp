@@ -76,32 +76,32 @@ Status WindowMemory::follow(const Requests& requests, Workbench& workbench, bool
     if (requests.chosen_language) now.language = requests.chosen_language;
     if (requests.chosen_scale) now.scale = requests.chosen_scale;
     now.mouse = workbench.views.mouse;
-    now.lessons = workbench.progress;
-    now.lesson = workbench.last_lesson;
-    now.recent = workbench.recent;
-    if (keeps_answers) now.student = workbench.exercises.student();
+    now.lessons = workbench.past.progress;
+    now.lesson = workbench.past.last_lesson;
+    now.recent = workbench.past.recent;
+    if (keeps_answers) now.student = workbench.exercises.desk.student();
     Status status = remember(now);
     if (std::exchange(has_news_, false)) {
-        workbench.progress = remembered_.lessons;
-        workbench.recent = remembered_.recent;
+        workbench.past.progress = remembered_.lessons;
+        workbench.past.recent = remembered_.recent;
     }
     return status;
 }
 
 void WindowMemory::read_again(Workbench& workbench) {
     is_written_ = false;  // the next write merges with the content of the file
-    workbench.exercises.read_again();
+    workbench.exercises.desk.read_again();
 }
 
 void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
-    workbench.progress = remembered_.lessons;
-    workbench.last_lesson = remembered_.lesson;
-    workbench.recent = remembered_.recent;
+    workbench.past.progress = remembered_.lessons;
+    workbench.past.last_lesson = remembered_.lesson;
+    workbench.past.recent = remembered_.recent;
     workbench.views.mouse = remembered_.mouse;
     if (!keeps_answers) return;
     const std::filesystem::path file = remembered_file();
-    workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);
-    workbench.exercises.sit_down(remembered_.student);
+    workbench.exercises.desk.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);
+    workbench.exercises.desk.sit_down(remembered_.student);
 }
 
 Status WindowMemory::finish() {

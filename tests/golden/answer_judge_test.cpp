@@ -106,7 +106,7 @@ TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
 TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    ExerciseDesk& exercises = studio_->workbench.exercises;
+    ExerciseDesk& exercises = studio_->workbench.exercises.desk;
     exercises.keep_in(folder, "test");
     exercises.sit_down({"viewing-2026", "32201234", "Kim"});
     const std::filesystem::path file = std::filesystem::path(folder) / answers_file_name(exercises.student());

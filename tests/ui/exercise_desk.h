@@ -12,14 +12,14 @@ namespace viewing::test {
 class ExerciseSheetDesk : public Desk {
 public:
     explicit ExerciseSheetDesk(ImVec2 size, const Student& student = {"viewing-2026", "32201234", "Kim"}) : Desk(size) {
-        workbench.exercises.sit_down(student);
-        workbench.exercises.open();
+        workbench.exercises.desk.sit_down(student);
+        workbench.exercises.desk.open();
         make();
     }
     /// Makes the step of every exercise; an exercise that needs measurements gets an error instead.
     void make() {
         static std::map<std::pair<std::string, std::size_t>, Result<LessonStep>> made;  // the same for every desk
-        ExerciseDesk& desk = workbench.exercises;
+        ExerciseDesk& desk = workbench.exercises.desk;
         while (const std::optional<std::size_t> next = desk.next_to_make()) {
             const ExerciseDesk::Entry& entry = desk.entries()[*next];
             auto known = made.find({entry.exercise.id, entry.variant});
@@ -31,7 +31,7 @@ public:
         }
     }
     void begin(const std::string& id) {
-        workbench.go_to_exercise(id, false);
+        workbench.exercises.go_to(id, false);
         settle();
         apply_looks();
         ui.move_to({-1, -1});
@@ -46,7 +46,7 @@ public:
         const Result<Verdict> verdict = judge(step.ask, run().answer(), numbers.surroundings());
         if (!verdict) throw std::runtime_error(verdict.error());
         run().take(*verdict);
-        workbench.exercises.record(run(), *verdict, session.params);
+        workbench.exercises.desk.record(run(), *verdict, session.params);
         ui.frames(3);
     }
 };

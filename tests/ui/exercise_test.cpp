@@ -43,7 +43,7 @@ protected:
 TEST_P(ExerciseScreensSlowTest, EveryQuestionIsReadable) {
     std::map<std::string, std::string> wrong;
     std::size_t count = GetParam().size.x > 1100.0F ? 0 : 1;
-    for (const ExerciseDesk::Entry& entry : desk.workbench.exercises.entries()) {
+    for (const ExerciseDesk::Entry& entry : desk.workbench.exercises.desk.entries()) {
         if (!*entry.step || count++ % 2 != 0) continue;
         desk.begin(entry.exercise.id);
         for (const std::string& text : unreadable(desk)) wrong.emplace(text, entry.exercise.id);
@@ -59,7 +59,7 @@ TEST_P(ExerciseScreensSlowTest, EveryQuestionIsReadable) {
 }
 
 TEST_P(ExerciseScreensSlowTest, ThePageIsReadable) {
-    desk.workbench.exercise_page.open(desk.workbench.exercises);
+    desk.workbench.exercises.open_page();
     desk.ui.frames(4);
     for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
 }
@@ -79,7 +79,7 @@ TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardOpensItsExercise) {
     desk.click("exercises/card 16");
     ui.frames(3);
     desk.settle();
-    EXPECT_FALSE(desk.workbench.exercise_page.is_open());
+    EXPECT_FALSE(desk.workbench.exercises.page.is_open());
     ASSERT_TRUE(desk.workbench.guide.is_sheet());
     EXPECT_EQ(desk.run().step().id, "E16-shadow-matrix");
 }
@@ -87,16 +87,16 @@ TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardOpensItsExercise) {
 TEST_F(ExercisesInTheWindow, ACardClickedTooEarlyOpensWhenTheSheetIsReady) {
     desk.click("top/Exercises");
     ui.frames(3);
-    desk.workbench.exercises.sit_down({"viewing-2026", "32209999", "Lee"});
+    desk.workbench.exercises.desk.sit_down({"viewing-2026", "32209999", "Lee"});
     ui.frames(1);
-    ASSERT_FALSE(desk.workbench.exercises.is_ready());
+    ASSERT_FALSE(desk.workbench.exercises.desk.is_ready());
     desk.click("exercises/card 16");
     ui.frames(3);
-    EXPECT_TRUE(desk.workbench.exercise_page.is_open());
+    EXPECT_TRUE(desk.workbench.exercises.page.is_open());
     desk.make();
     ui.frames(3);
     desk.settle();
-    EXPECT_FALSE(desk.workbench.exercise_page.is_open());
+    EXPECT_FALSE(desk.workbench.exercises.page.is_open());
     ASSERT_TRUE(desk.workbench.guide.is_sheet());
     EXPECT_EQ(desk.run().step().id, "E16-shadow-matrix");
     EXPECT_EQ(desk.run().lesson().sheet->student, "32209999");
@@ -139,7 +139,7 @@ TEST_F(ExercisesInTheWindow, AMisconceptionIsExplainedAndARightAnswerUncovers) {
     desk.check();
     EXPECT_EQ(desk.run().verdict()->tag, "M33");
     EXPECT_EQ(ui.text_of("matrices/S"), "?");
-    EXPECT_FALSE(desk.workbench.exercises.is_right("E16-shadow-matrix"));
+    EXPECT_FALSE(desk.workbench.exercises.desk.is_right("E16-shadow-matrix"));
     desk.run().answer() = right;
     desk.run().answer().numbers[5] += 1.0;
     desk.check();
@@ -150,8 +150,8 @@ TEST_F(ExercisesInTheWindow, AMisconceptionIsExplainedAndARightAnswerUncovers) {
     EXPECT_TRUE(desk.run().is_revealed());
     desk.settle();
     EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "the covered part is shown";
-    EXPECT_EQ(desk.workbench.exercises.points(), 3);
-    EXPECT_EQ(desk.workbench.exercises.hand_in().find("E16-shadow-matrix")->attempts.size(), 3U);
+    EXPECT_EQ(desk.workbench.exercises.desk.points(), 3);
+    EXPECT_EQ(desk.workbench.exercises.desk.hand_in().find("E16-shadow-matrix")->attempts.size(), 3U);
 }
 
 TEST_F(ExercisesInTheWindow, ShowsTheEffectOfAMatrixAndEscapeLeaves) {
@@ -182,7 +182,7 @@ TEST_F(ExercisesInTheWindow, ProgressTowardAGoalIsKeptAcrossExercises) {
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_EQ(desk.session.params.lights.front().position, glm::dvec4(1.0, 9.0, 2.0, 1.0));
-    const HandInItem* const item = desk.workbench.exercises.hand_in().find("E18-place-the-light");
+    const HandInItem* const item = desk.workbench.exercises.desk.hand_in().find("E18-place-the-light");
     ASSERT_TRUE(item);
     EXPECT_EQ(item->draft_settings, std::vector<std::string>{"light.position=[1.0,9.0,2.0,1.0]"});
     EXPECT_EQ(item->replay.size(), 1U);
@@ -195,12 +195,12 @@ TEST_F(ExercisesInTheWindow, AnotherStudentNumberHasItsOwnSheet) {
     ui.frames(3);
     std::set<std::size_t> variants;
     for (const char* number : {"1", "2", "3", "4", "5", "6"}) {
-        desk.workbench.exercises.sit_down({"viewing-2026", number, ""});
-        variants.insert(desk.workbench.exercises.entries()[15].variant);
+        desk.workbench.exercises.desk.sit_down({"viewing-2026", number, ""});
+        variants.insert(desk.workbench.exercises.desk.entries()[15].variant);
     }
     EXPECT_GT(variants.size(), 2U);
-    desk.workbench.exercises.sit_down({"viewing-2026", "32201234", "Kim"});
-    EXPECT_EQ(desk.workbench.exercises.entries()[15].variant, variant);
+    desk.workbench.exercises.desk.sit_down({"viewing-2026", "32201234", "Kim"});
+    EXPECT_EQ(desk.workbench.exercises.desk.entries()[15].variant, variant);
 }
 
 /// Returns all text on the screen, lines joined by spaces.
@@ -221,21 +221,21 @@ class Practice : public testing::ScratchFolder {};
 TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
     ExerciseSheetDesk desk({1600, 900}, Student{});
     widgets::test::Harness& ui = desk.ui;
-    desk.workbench.exercises.keep_in(folder_, "test");
-    desk.workbench.exercises.sit_down(Student{});
+    desk.workbench.exercises.desk.keep_in(folder_, "test");
+    desk.workbench.exercises.desk.sit_down(Student{});
     const auto settle = [&] {
-        EXPECT_TRUE(desk.workbench.exercises.finish());
+        EXPECT_TRUE(desk.workbench.exercises.desk.finish());
         const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
         do {  // the sheet is read on another thread
             ui.frame();
             desk.make();
-        } while (!desk.workbench.exercises.is_ready() && std::chrono::steady_clock::now() < patience);
+        } while (!desk.workbench.exercises.desk.is_ready() && std::chrono::steady_clock::now() < patience);
         ui.frames(4);
     };
     const auto says = [&](const std::string& sentence) {
         EXPECT_NE(drawn(desk).find(sentence), std::string::npos) << sentence << "\n" << drawn(desk);
     };
-    const auto variant = [&] { return desk.workbench.exercises.entries()[15].variant; };
+    const auto variant = [&] { return desk.workbench.exercises.desk.entries()[15].variant; };
     settle();
     desk.click("top/Exercises");
     settle();
@@ -256,10 +256,10 @@ TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
     Student student{"viewing-2026", "", ""};
     for (int number = 1; number < 1000; ++number) {  // find a student whose variant has the practiced values
         student.number = std::to_string(number);
-        desk.workbench.exercises.sit_down(student);
+        desk.workbench.exercises.desk.sit_down(student);
         if (variant() == practiced) break;
     }
-    desk.workbench.exercises.sit_down(Student{});
+    desk.workbench.exercises.desk.sit_down(Student{});
     settle();
     for (const auto& [field, text] :
          {std::pair("exercises/Student number", student.number), std::pair("exercises/Course", student.course)}) {
@@ -269,20 +269,20 @@ TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
         settle();
     }
     says("You practiced one exercise. One of them has your numbers: you can import its answers.");
-    EXPECT_EQ(desk.workbench.exercises.points(), 0);
+    EXPECT_EQ(desk.workbench.exercises.desk.points(), 0);
     desk.click("exercises/Import");
     settle();
-    EXPECT_EQ(desk.workbench.exercises.points(), 3);
+    EXPECT_EQ(desk.workbench.exercises.desk.points(), 3);
     EXPECT_FALSE(ui.has("exercises/Import"));
     says("You practiced one exercise. The answers are kept under Practice.");
 
     desk.click("exercises/Practice");
     settle();
-    EXPECT_TRUE(desk.workbench.exercises.is_practice());
+    EXPECT_TRUE(desk.workbench.exercises.desk.is_practice());
     says("Practice: these are not your numbers.");
     desk.click("exercises/My sheet");
     settle();
-    EXPECT_FALSE(desk.workbench.exercises.is_practice());
+    EXPECT_FALSE(desk.workbench.exercises.desk.is_practice());
     says("You practiced one exercise.");
 }
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "desk.h"
-#include "ui/window/areas.h"
+#include "ui/window/clipboard.h"
 
 namespace viewing::test {
 namespace {

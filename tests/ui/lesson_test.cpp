@@ -782,8 +782,8 @@ TEST_P(FirstPage, FitsWithoutScrollingAndIsReadable) {
     Desk desk(GetParam().size);
     desk.params().ui.theme = GetParam().theme;
     desk.params().ui.language = GetParam().language;
-    desk.workbench.progress["lens"] = {2, {0, 1}};
-    desk.workbench.last_lesson = "lens";
+    desk.workbench.past.progress["lens"] = {2, {0, 1}};
+    desk.workbench.past.last_lesson = "lens";
     open(desk);
     desk.apply_looks();
     desk.ui.frames(3);
@@ -834,7 +834,7 @@ TEST(FirstPageLeads, StartOpensTheFirstLessonAndGoOnTheLastOne) {
     ASSERT_TRUE(wait("view-is-the-inverse"));
     EXPECT_EQ(desk.workbench.guide.run()->index(), reached);
     desk.workbench.guide.close();
-    std::vector<std::size_t>& done = desk.workbench.progress["view-is-the-inverse"].done;
+    std::vector<std::size_t>& done = desk.workbench.past.progress["view-is-the-inverse"].done;
     done.clear();
     for (std::size_t step = 0; step < lesson_of("view-is-the-inverse").steps.size(); ++step) done.push_back(step);
     open();

@@ -278,7 +278,7 @@ TEST(PresetSearch, FindsWordsOfTitleSentenceNameAndTopicInAnyOrder) {
 TEST_F(PresetsTest, NoticesExpireAndErrorsStay) {
     desk.press_with(Key::ctrl, Key::c);
     EXPECT_FALSE(desk.session.message.text.empty());
-    EXPECT_GT(Workbench::message_ends_in_s(desk.session.message), 0.0);
+    EXPECT_GT(message_ends_in_s(desk.session.message), 0.0);
     ui.frame(5.0F);
     EXPECT_FALSE(desk.session.message.text.empty());
     ui.frame(5.0F);
@@ -289,7 +289,7 @@ TEST_F(PresetsTest, NoticesExpireAndErrorsStay) {
     ui.frame(50.0F);
     EXPECT_TRUE(desk.session.message.text.empty());
     desk.session.message = {"broken", true};
-    EXPECT_LT(Workbench::message_ends_in_s(desk.session.message), 0.0);
+    EXPECT_LT(message_ends_in_s(desk.session.message), 0.0);
     ui.frame(50.0F);
     EXPECT_EQ(desk.session.message.text, "broken");
 }

@@ -262,7 +262,7 @@ TEST_F(SearchTest, PresetsViewsAndCommandsDoWhatTheirControlsDo) {
     EXPECT_TRUE(desk.workbench.start_page.is_open());
     choose("exercises", "Exercises");
     EXPECT_FALSE(desk.workbench.start_page.is_open());
-    EXPECT_TRUE(desk.workbench.exercise_page.is_open());
+    EXPECT_TRUE(desk.workbench.exercises.page.is_open());
 }
 
 TEST_F(SearchTest, StepsAndExercisesOpen) {
@@ -276,7 +276,7 @@ TEST_F(SearchTest, StepsAndExercisesOpen) {
     ASSERT_NE(desk.workbench.guide.run(), nullptr);
     EXPECT_EQ(desk.workbench.guide.run()->lesson().id, lesson.id);
     EXPECT_EQ(desk.workbench.guide.run()->index(), 2U);
-    const Exercise& exercise = desk.workbench.exercises.entries().at(3).exercise;
+    const Exercise& exercise = desk.workbench.exercises.desk.entries().at(3).exercise;
     choose(exercise.short_id().c_str(), exercise.title.in_english());
     ASSERT_TRUE(desk.workbench.guide.is_sheet());
     EXPECT_EQ(desk.workbench.guide.run()->index(), 3U);

@@ -29,7 +29,6 @@ protected:
         desk.settle();
     }
     void cover(std::vector<std::string> names) {
-        stage.has_lesson = true;
         stage.cover = std::move(names);
         ui.move_to({-1, -1});
         ui.frames(5);

@@ -44,7 +44,7 @@ FieldOfText student_field(const char* label, std::string Student::*text) {
                 desk.ui.click("exercises/" + std::string(label));
                 select_all(desk);
             },
-            "a12", [text](const FieldDesk& desk) { return desk.workbench.exercises.student().*text; }, true};
+            "a12", [text](const FieldDesk& desk) { return desk.workbench.exercises.desk.student().*text; }, true};
 }
 
 FieldOfText number_field(const char* name, const char* exercise, const char* label,
@@ -63,7 +63,7 @@ std::vector<FieldOfText> all_fields() {
         return [place](const FieldDesk& desk) {
             // The answer belongs to the step in which it was typed, whichever step is current.
             const LessonRun& run = *desk.workbench.guide.run();
-            const ExerciseDesk& exercises = desk.workbench.exercises;
+            const ExerciseDesk& exercises = desk.workbench.exercises.desk;
             for (const char* id : {"E16-shadow-matrix", "E06-radians"})
                 if (const HandInItem* item = exercises.hand_in().find(id); item && item->draft)
                     return item->draft->at(place);
@@ -157,7 +157,7 @@ TEST(TextFields, EscapeDiscardsTheTypedTextAndNothingElse) {
         desk.ui.frames(3);
         EXPECT_EQ(field.value(desk), before);
         EXPECT_FALSE(widgets::IsTyping(desk.workbench.widgets));
-        EXPECT_EQ(desk.workbench.exercise_page.is_open(), field.is_on_page) << "Escape also closed the page";
+        EXPECT_EQ(desk.workbench.exercises.page.is_open(), field.is_on_page) << "Escape also closed the page";
     }
 }
 
@@ -170,7 +170,7 @@ TEST(TextFields, TabFillsThreeFieldsInARow) {
         desk.ui.type(text);
         desk.ui.key(ImGuiKey_Tab);
     }
-    EXPECT_EQ(desk.workbench.exercises.student(), (Student{"viewing-2026", "32201234", "Kim"}));
+    EXPECT_EQ(desk.workbench.exercises.desk.student(), (Student{"viewing-2026", "32201234", "Kim"}));
     desk.ui.click("exercises/Name");
     select_all(desk);
     desk.ui.type("Lee");
@@ -178,7 +178,7 @@ TEST(TextFields, TabFillsThreeFieldsInARow) {
     select_all(desk);
     desk.ui.type("v2");
     desk.ui.key(ImGuiKey_Tab, true);
-    EXPECT_EQ(desk.workbench.exercises.student(), (Student{"v2", "32201234", "Lee"}));
+    EXPECT_EQ(desk.workbench.exercises.desk.student(), (Student{"v2", "32201234", "Lee"}));
 }
 
 TEST(TextFields, LeavingAPageByAClickKeepsTheTypedText) {
@@ -191,8 +191,8 @@ TEST(TextFields, LeavingAPageByAClickKeepsTheTypedText) {
         desk.ui.click(button);
         desk.make();
         desk.ui.frames(4);
-        EXPECT_FALSE(desk.workbench.exercise_page.is_open());
-        EXPECT_EQ(desk.workbench.exercises.student().number, "32201234");
+        EXPECT_FALSE(desk.workbench.exercises.page.is_open());
+        EXPECT_EQ(desk.workbench.exercises.desk.student().number, "32201234");
     }
 }
 

@@ -248,7 +248,7 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
 
 /// Writes unsaved settings and answers now, because the page may be closed for good.
 EMSCRIPTEN_KEEPALIVE void page_keep() {
-    report(page->studio.workbench.exercises.finish());
+    report(page->studio.workbench.exercises.desk.finish());
     report(page->memory.finish());
 }
 

@@ -184,7 +184,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
     if (const std::optional<Flight> flight = studio.workbench.recorder.end())
         flight_is_written = write_file(new_flight_file(), write_flight(*flight));
     for (const Status& written :
-         {memory.remember(last), memory.finish(), studio.workbench.exercises.finish(), flight_is_written})
+         {memory.remember(last), memory.finish(), studio.workbench.exercises.desk.finish(), flight_is_written})
         if (!written) std::cerr << written.error() << '\n';
 }
 
@@ -219,8 +219,8 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     }
     if (start.shows_lessons) workbench.start_page.open();
     if (start.hand_in) {
-        workbench.exercises.take_hand_in(*start.hand_in);
-        workbench.go_to_exercise(start.exercise, start.replays);
+        workbench.exercises.desk.take_hand_in(*start.hand_in);
+        workbench.exercises.go_to(start.exercise, start.replays);
     }
     const WakeUp wake_up;
     Events events(window);

@@ -25,6 +25,42 @@ std::string slides_text(const std::vector<int>& slides) {
 
 }  // namespace
 
+void Past::note(LessonRun& run) {
+    const Lesson& lesson = run.lesson();
+    if (lesson.sheet || lesson.lecture) return;
+    LessonProgress& known = progress[lesson.id];
+    last_lesson = lesson.id;
+    for (const std::size_t step : known.done)  // another window may have added some steps
+        if (step < lesson.steps.size()) run.set_done(step);
+    known.step = run.index();
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+        const auto at = std::lower_bound(known.done.begin(), known.done.end(), step);
+        if (run.is_done(step) && (at == known.done.end() || *at != step)) known.done.insert(at, step);
+    }
+}
+
+void Past::note_opened(const Session& session) {
+    const auto remember = [this](const std::string& file) {
+        constexpr std::size_t most = 10;
+        if (!recent.empty() && recent.front() == file) return;
+        std::erase(recent, file);
+        recent.insert(recent.begin(), file);
+        recent.resize(std::min(recent.size(), most));
+    };
+    if (!session.opening().empty()) {
+        opening_ = session.opening();
+    } else if (!opening_.empty()) {
+        // A preset is opened by its name, which is not a file path.
+        if (!session.message.is_error && opening_.find('/') != std::string::npos) remember(opening_);
+        opening_.clear();
+    }
+    const auto* const scene = std::get_if<std::string>(&session.params.scene);
+    const bool is_mesh = scene && scene->starts_with('/') && scene->ends_with(".obj");
+    if (session.loading_fraction()) return;
+    if (is_mesh && *scene != opened_mesh_) remember(*scene);
+    opened_mesh_ = is_mesh ? *scene : "";
+}
+
 const std::vector<LessonFile>& StartPage::lessons() {
     if (!lessons_) lessons_ = viewing::lessons();
     return *lessons_;

@@ -24,6 +24,23 @@ struct CardPicture {
     glm::ivec2 size_px{384, 216};
 };
 
+/// What the user has done before, now or in earlier runs of the program.
+class Past {
+public:
+    LessonsProgress progress;         ///< in every lesson
+    std::string last_lesson;          ///< the id of the lesson that was open last; "" for none
+    std::vector<std::string> recent;  ///< opened files, latest first
+
+    /// Notes the step that is shown and the steps that are done, except in a sheet of exercises or a lecture.
+    void note(LessonRun& run);
+    /// Called once a frame: notes a file as soon as it is open.
+    void note_opened(const Session& session);
+
+private:
+    std::string opening_;      ///< the file being read
+    std::string opened_mesh_;  ///< the scene's file, if the scene is a mesh file
+};
+
 class StartPage {
 public:
     bool is_open() const { return is_open_; }
@@ -36,12 +53,6 @@ public:
     /// Returns the lessons; reads the list on first use.
     const std::vector<LessonFile>& lessons();
 
-    /// What the page knows about earlier uses of the program.
-    struct Past {
-        const LessonsProgress& progress;
-        const std::string& last_lesson;          ///< the id of the lesson that was open last; "" for none
-        const std::vector<std::string>& recent;  ///< opened files, latest first
-    };
     /// Draws the page over the whole window and opens the lesson that the user chooses; for a lecture, opens it on
     /// stage. Returns true if the caller should open the exercises.
     bool draw(Guide& guide, PresenterMode& presenter, Session& session, const Past& past, const Pictures& pictures);

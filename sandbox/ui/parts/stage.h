@@ -16,7 +16,7 @@ struct Stage {
         std::string label;
     };
 
-    bool has_lesson = false;
+    bool is_of_lesson = false;
     bool asks = false;  ///< the question is still open: also hide red sentences, advice, and formulas in tooltips
     std::vector<std::string> cover, highlight;
     std::optional<Target> target;

@@ -1,19 +1,21 @@
-// The top bar with its menus, and the status bar.
+#include "ui/window/bars.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "state/fields.h"
-#include "state/file/link.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/field_controls.h"
 #include "ui/parts/look.h"
-#include "ui/window/areas.h"
 #include "ui/window/window_layout.h"
 #include "ui/window/workbench.h"
 
 namespace viewing {
 namespace {
+
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string scene_title(const SceneSource& source, const std::vector<NamedFile>& scenes) {
     const auto* name = std::get_if<std::string>(&source);
@@ -57,6 +59,55 @@ float step_buttons_room() {
     return 2.0F * (ImGui::CalcTextSize("◂").x + 2.0F * px(step_padding) + px(2.0F));
 }
 
+/// Draws the list of presets and, if `has_steps`, the buttons that open its neighbors.
+void draw_presets(PresetPicker& picker, Session& session, float width, bool has_steps, const PresetPicture& picture) {
+    const NamedFile* open = picker.current(session);
+    const std::string title = open ? tr(open->title.c_str()) : tr("choose…");
+    const std::string shown = session.departs_from_preset() ? say("{preset} (changed)", "preset"_a = title) : title;
+    const NamedFile* chosen = picker.draw(open, shown, width, picture);
+    if (has_steps) {
+        const NamedFile *before = picker.at(session, -1), *after = picker.at(session, 1);
+        ImGui::SameLine(0.0F, px(2.0F));
+        if (step_button("◂###previous preset", before,
+                        open ? marked("this is the first preset") : marked("no preset is open")))
+            chosen = before;
+        ImGui::SameLine(0.0F, px(2.0F));
+        if (step_button("▸###next preset", after, marked("this is the last preset"))) chosen = after;
+    }
+    if (chosen) session.open(chosen->name);
+}
+
+void draw_lesson_button(Guide& guide, StartPage& start_page, Session& session) {
+    const bool waits = guide.run() && !guide.is_shown();
+    if (widgets::Button(waits ? "Back to the lesson###Lesson" : "Lesson")) {
+        if (waits)
+            guide.resume(session);
+        else
+            start_page.open();
+    }
+    widgets::Tooltip("Lesson", waits
+                                   ? marked("Returns to the step that you left and restores its original state.")
+                                   : marked("The lessons of the lecture: each step asks before it shows the answer."));
+}
+
+/// Returns the name of the column that the bar's button shows next when only one column fits. In a short window, the
+/// button's cycle includes a step that shows only the views.
+const char* next_column(const Arrangement& arrangement, const Layout& layout) {
+    if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
+    if (layout.is_short && arrangement.prefers_matrices) return marked("Views");
+    return arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
+}
+
+void show_next_column(Arrangement& arrangement, const Layout& layout) {
+    if (!layout.is_short) {
+        arrangement.prefers_matrices = !arrangement.prefers_matrices;
+        return;
+    }
+    const bool had_column = std::exchange(arrangement.prefers_column, true);
+    if (had_column && arrangement.prefers_matrices) arrangement.prefers_column = false;
+    arrangement.prefers_matrices = had_column && !arrangement.prefers_matrices;
+}
+
 /// Draws a menu's button and begins the popup below it, which stays inside the window and closes on Escape. Returns
 /// whether the popup is open.
 bool begin_menu(const char* button, const char* popup, const char* explanation, float least_width = 0.0F) {
@@ -70,97 +121,8 @@ bool begin_menu(const char* button, const char* popup, const char* explanation, 
     return true;
 }
 
-}  // namespace
-
-static constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                                 ImGuiWindowFlags_NoSavedSettings |
-                                                 ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
-    ImGui::SetNextWindowPos(rect.min);
-    ImGui::SetNextWindowSize({rect.width(), rect.height()});
-    return ImGui::Begin(name, nullptr, fixed_window | extra);
-}
-
-/// Returns whether the state may be copied. While a control is covered, refuses and shows a message.
-static bool may_tell_state(Session& session) {
-    if (!widgets::IsPartCovered("control")) return true;
-    session.message = {tr("the state was not copied: it reveals parts that are hidden until answered"), false};
-    return false;
-}
-
-void copy(Session& session) {
-    if (!may_tell_state(session)) return;
-    ImGui::SetClipboardText(session.text().c_str());
-    session.message = {tr("the whole state is on the clipboard"), false};
-}
-
-/// Returns a link to the current step of a built-in lesson if nothing has changed; otherwise "".
-static std::string step_link(const Guide& guide, const Session& session) {
-    if (!guide.is_shown() || guide.is_sheet() || guide.departs(session)) return {};
-    return link_to(guide.run()->lesson(), guide.run()->index()).value_or("");
-}
-
-static std::string state_link(const Session& session) {
-    return link_fragment(session.portable(session.params));
-}
-
-void copy_link(const Guide& guide, Session& session, const std::string& address) {
-    const std::string step = step_link(guide, session);
-    if (!step.empty() && (!guide.run()->is_revealed() || guide.run()->step().only_shows())) {
-        ImGui::SetClipboardText((address + step).c_str());
-        session.message = {tr("a link to this step of the lesson is on the clipboard"), false};
-        return;
-    }
-    if (!may_tell_state(session)) return;
-    ImGui::SetClipboardText((address + state_link(session)).c_str());
-    session.message = {tr("a link to this state is on the clipboard"), false};
-}
-
-Result<std::string> link_for_code(const Guide& guide, Session& session, const std::string& address) {
-    if (!address.starts_with("https://") && !address.starts_with("http://"))
-        return Error{tr("A QR code needs the address of the page: start the program with --base https://…")};
-    if (const std::string step = step_link(guide, session); !step.empty()) return address + step;
-    if (widgets::IsPartCovered("control"))
-        return Error{tr("No QR code: the state reveals parts that are hidden until answered.")};
-    return address + state_link(session);
-}
-
-void paste(Guide& guide, Session& session) {
-    const char* const held = ImGui::GetClipboardText();
-    const std::string text = held ? held : "";
-    if (const std::optional<Link> step = lesson_link(text))
-        guide.open(*step);
-    else
-        session.report(session.paste(text));
-}
-
-void Workbench::draw_file_menu(const CommandContext& context) {
-    if (!begin_menu(marked("File"), "file menu", marked("Open and save states, meshes and pictures"))) return;
-    const WindowCommand* chosen = nullptr;
-    for (const FilePart part : {FilePart::files, FilePart::copies, FilePart::pastes, FilePart::others}) {
-        if (part == FilePart::others) ImGui::Separator();
-        for (const WindowCommand& command : window_commands()) {
-            if (command.file_part != part) continue;
-            const char* const label =
-                recorder.is_recording() && command.name_to_stop ? command.name_to_stop : command.name;
-            if (ImGui::MenuItem(widgets::LabelText(label).c_str(), key_text(command.key).c_str())) chosen = &command;
-            widgets::Record(label);
-        }
-    }
-    if (!lectures_.empty()) ImGui::Separator();
-    for (const LessonFile& lecture : lectures_) {
-        korean.want(lecture.title.shown());
-        const std::string label = say("Lecture: {title}", "title"_a = lecture.title.shown());
-        if (ImGui::MenuItem((label + "###lecture " + lecture.id).c_str())) guide.open(lecture.path.string());
-        widgets::Record(("lecture " + lecture.id).c_str());
-    }
-    ImGui::EndPopup();
-    if (chosen) chosen->run(*this, context);
-}
-
 /// Draws the controls that determine what a drag in the camera view does.
-static void mouse_controls(MouseHabits& mouse) {
+void mouse_controls(MouseHabits& mouse) {
     const MouseHabits usual;
     const auto drag = [](const char* label, bool& pans, const char* other, const char* other_tip) {
         const char* const names[] = {other, marked("pans")};
@@ -187,17 +149,50 @@ static void mouse_controls(MouseHabits& mouse) {
                     px(160.0F));
 }
 
-void Workbench::draw_look_menu(Session& session, Requests& requests) {
+}  // namespace
+
+void begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra, std::optional<ImVec2> padding) {
+    ImGui::SetNextWindowPos(rect.min);
+    ImGui::SetNextWindowSize({rect.width(), rect.height()});
+    if (padding) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, *padding);
+    ImGui::Begin(name, nullptr, fixed_window | extra);
+    if (padding) ImGui::PopStyleVar();
+}
+
+void TopBar::draw_file_menu(Workbench& window, const CommandContext& context) const {
+    if (!begin_menu(marked("File"), "file menu", marked("Open and save states, meshes and pictures"))) return;
+    const WindowCommand* chosen = nullptr;
+    for (const FilePart part : {FilePart::files, FilePart::copies, FilePart::pastes, FilePart::others}) {
+        if (part == FilePart::others) ImGui::Separator();
+        for (const WindowCommand& command : window_commands()) {
+            if (command.file_part != part) continue;
+            const char* const label =
+                window.recorder.is_recording() && command.name_to_stop ? command.name_to_stop : command.name;
+            if (ImGui::MenuItem(widgets::LabelText(label).c_str(), key_text(command.key).c_str())) chosen = &command;
+            widgets::Record(label);
+        }
+    }
+    if (!lectures_.empty()) ImGui::Separator();
+    for (const LessonFile& lecture : lectures_) {
+        window.korean.want(lecture.title.shown());
+        const std::string label = say("Lecture: {title}", "title"_a = lecture.title.shown());
+        if (ImGui::MenuItem((label + "###lecture " + lecture.id).c_str())) window.guide.open(lecture.path.string());
+        widgets::Record(("lecture " + lecture.id).c_str());
+    }
+    ImGui::EndPopup();
+    if (chosen) chosen->run(window, context);
+}
+
+void TopBar::draw_look_menu(Workbench& window, Params& params, Requests& requests) {
     // Make the menu wide enough for the slider with its label from the first frame; apart from that, it sizes itself to
     // its content.
     const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
     if (!begin_menu(marked("Look"), "look menu", marked("Theme, language, scale, folded panels and the mouse"), least))
         return;
-    Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))
         requests.chosen_theme = params.ui.theme;
-    korean.want(own_name(Language::ko));
+    window.korean.want(own_name(Language::ko));
     static constexpr const char* languages[] = {own_name(Language::en), own_name(Language::ko)};
     if (control(params, "ui.language", {.segments = true, .names = languages, .label = "##language"}))
         requests.chosen_language = params.ui.language;
@@ -216,62 +211,22 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     bool panel = !is_folded(params, "panel"), matrices = !is_folded(params, "matrices");
     if (widgets::Toggle("Controls (F2)", panel, true)) fold(params, "panel", !panel);
     if (widgets::Toggle("Matrices (F3)", matrices, true)) fold(params, "matrices", !matrices);
-    widgets::Toggle("Handles and labels (H)", views.handles, true);
+    widgets::Toggle("Handles and labels (H)", window.views.handles, true);
     ImGui::Separator();
-    mouse_controls(views.mouse);
+    mouse_controls(window.views.mouse);
     ImGui::Separator();
     if (widgets::Button("Full screen (F11)")) requests.toggle_full_screen = true;
     ImGui::EndPopup();
 }
 
-void Workbench::draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture) {
-    const NamedFile* open = open_preset(session);
-    const std::string title = open ? tr(open->title.c_str()) : tr("choose…");
-    const std::string shown = session.departs_from_preset() ? say("{preset} (changed)", "preset"_a = title) : title;
-    const NamedFile* chosen = preset_picker_.draw(presets_, open, shown, width, picture);
-    if (has_steps) {
-        const NamedFile *before = preset_at(session, -1), *after = preset_at(session, 1);
-        ImGui::SameLine(0.0F, px(2.0F));
-        if (step_button("◂###previous preset", before,
-                        open ? marked("this is the first preset") : marked("no preset is open")))
-            chosen = before;
-        ImGui::SameLine(0.0F, px(2.0F));
-        if (step_button("▸###next preset", after, marked("this is the last preset"))) chosen = after;
-    }
-    if (chosen) session.open(chosen->name);
-}
-
-namespace {
-
-/// Returns the name of the column that the bar's button shows next when only one column fits. In a short window, the
-/// button's cycle includes a step that shows only the views.
-const char* next_column(const Arrangement& arrangement, const Layout& layout) {
-    if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
-    if (layout.is_short && arrangement.prefers_matrices) return marked("Views");
-    return arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
-}
-
-void show_next_column(Arrangement& arrangement, const Layout& layout) {
-    if (!layout.is_short) {
-        arrangement.prefers_matrices = !arrangement.prefers_matrices;
-        return;
-    }
-    const bool had_column = std::exchange(arrangement.prefers_column, true);
-    if (had_column && arrangement.prefers_matrices) arrangement.prefers_column = false;
-    arrangement.prefers_matrices = had_column && !arrangement.prefers_matrices;
-}
-
-}  // namespace
-
-void Workbench::draw_top_bar(const CommandContext& context, const Layout& layout, const PresetPicture& picture) {
+bool TopBar::draw(Workbench& window, PresetPicker& presets, const CommandContext& context, const Layout& layout,
+                  const PresetPicture& picture) {
     Session& session = context.session;
     const widgets::Group group("top");
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
-    begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
-    const char* const other_column = next_column(arrangement, layout);
+    begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse, ImVec2(px(10.0F), px(7.0F)));
+    const char* const other_column = next_column(window.arrangement, layout);
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
-    const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
+    const char* const lesson = window.guide.run() && !window.guide.is_shown() ? "Back to the lesson" : "Lesson";
     for (const char* label : {lesson, "File", "Look", "?"}) buttons += button_room(label);
     const float exercises_room = button_room("Exercises");
     // Shorten the preset list in a narrow bar: the buttons need the width.
@@ -295,7 +250,7 @@ void Workbench::draw_top_bar(const CommandContext& context, const Layout& layout
         narrow ? std::clamp((room - (has_steps ? step_buttons_room() : 0.0F)) / lists, 0.1F, 1.0F) : 1.0F;
     if (!narrow) {
         ImGui::AlignTextToFramePadding();
-        ImGui::PushFont(widgets.fonts.heading);
+        ImGui::PushFont(window.widgets.fonts.heading);
         ImGui::TextUnformatted("Viewing Sandbox");
         ImGui::PopFont();
         ImGui::SameLine(0.0F, px(22.0F));
@@ -311,19 +266,19 @@ void Workbench::draw_top_bar(const CommandContext& context, const Layout& layout
         ImGui::TextUnformatted(tr("Preset"));
         ImGui::SameLine();
     }
-    draw_presets(session, share * preset_width, has_steps, picture);
+    draw_presets(presets, session, share * preset_width, has_steps, picture);
 
     // Right-align the buttons.
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
                              layout.top_bar.width() - buttons + ImGui::GetStyle().ItemSpacing.x - px(10.0F)));
     if (!layout.matrices_fit) {
-        if (widgets::Button(other_column)) show_next_column(arrangement, layout);
+        if (widgets::Button(other_column)) show_next_column(window.arrangement, layout);
         ImGui::SameLine();
     }
-    draw_lesson_button(session);
+    draw_lesson_button(window.guide, window.start_page, session);
     ImGui::SameLine();
     if (has_exercises) {
-        if (widgets::Button("Exercises")) exercise_page.open(exercises);
+        if (widgets::Button("Exercises")) window.exercises.open_page();
         widgets::Tooltip("Exercises", marked("Questions with your own numbers, checked automatically."));
         ImGui::SameLine();
     }
@@ -333,25 +288,29 @@ void Workbench::draw_top_bar(const CommandContext& context, const Layout& layout
         if (widgets::Button("Redo", session.can_redo(), "nothing to redo")) session.redo();
         ImGui::SameLine();
     }
-    draw_file_menu(context);
+    draw_file_menu(window, context);
     ImGui::SameLine();
-    draw_look_menu(session, context.requests);
+    draw_look_menu(window, session.params, context.requests);
     ImGui::SameLine();
-    if (widgets::Button("?")) help_.open();
+    const bool wants_help = widgets::Button("?");
     widgets::Tooltip("Keys", "Every key and mouse gesture (F1)");
     ImGui::End();
+    return wants_help;
 }
 
-void Workbench::draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(4.0F)});
-    begin_area("status", layout.status_bar, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoInputs);
-    ImGui::PopStyleVar();
-    ImGui::PushFont(widgets.fonts.small_number);
-    ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
-    const std::string recording = recorder.sign();
+void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status,
+                     const std::string& recording) {
+    const widgets::Context& context = widgets::CurrentContext();
+    if (layout.status_bar.empty())
+        return ImGui::GetForegroundDrawList()->AddText({px(10.0F), px(8.0F)}, context.palette.trouble,
+                                                       recording.c_str());
+    begin_area("status", layout.status_bar, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoInputs,
+               ImVec2(px(10.0F), px(4.0F)));
+    ImGui::PushFont(context.fonts.small_number);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
     const float room = recording.empty() ? 0.0F : ImGui::CalcTextSize(recording.c_str()).x + px(18.0F);
     if (!recording.empty()) {
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(widgets.palette.trouble), "%s", recording.c_str());
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(context.palette.trouble), "%s", recording.c_str());
         widgets::Record(recording.c_str());
         ImGui::SameLine(px(10.0F) + room);
     }
@@ -359,7 +318,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::SameLine(px(84.0F) + room);
     ImGui::TextUnformatted(status.renderer.c_str());
     ImGui::PopFont();
-    ImGui::PushFont(widgets.fonts.note);
+    ImGui::PushFont(context.fonts.note);
     // Show as many pieces of text as fit, the most important first; the hint keeps its position.
     const char* hint = tr("F1 keys");
     const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);
@@ -382,6 +341,11 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::End();
+}
+
+double message_ends_in_s(const StatusMessage& message) {
+    constexpr double lasts_s = 8.0;
+    return message.is_error || message.text.empty() ? -1.0 : std::max(lasts_s - message.shown_s, 0.0);
 }
 
 }  // namespace viewing

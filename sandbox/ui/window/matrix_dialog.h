@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "frame/derive.h"
 #include "session/session.h"
 #include "topics/matrices/numbers/explain_matrix.h"
 #include "topics/matrices/numbers/pasted_matrix.h"

@@ -75,6 +75,22 @@ bool is_found(const NamedFile& preset, std::string_view search) {
     return contains_words(in_lower_case(std::move(all)), search);
 }
 
+const NamedFile* PresetPicker::at(const Session& session, int places) const {
+    // A preset that is loading counts as open, so that pressing Page down twice advances by two.
+    const OpenPreset* const open = session.preset();
+    const std::string name = !session.opening().empty() ? session.opening() : open ? open->name : "";
+    const auto at =
+        std::find_if(all_.begin(), all_.end(), [&](const NamedFile& preset) { return preset.name == name; });
+    // Without an open preset, the first one is next.
+    std::ptrdiff_t place = at == all_.end() ? places - 1 : at - all_.begin() + places;
+    const auto preset = [&]() -> const NamedFile* {
+        return place >= 0 && place < std::ssize(all_) ? &all_[place] : nullptr;
+    };
+    if (places != 0)
+        while (preset() && preset()->sets_looks) place += places;
+    return preset();
+}
+
 bool PresetPicker::draw_search(const std::vector<const NamedFile*>& found) {
     ImGui::SetNextItemWidth(-1.0F);
     const bool entered = widgets::TextField("##search", search_, tr("search"), ImGuiInputTextFlags_EnterReturnsTrue);
@@ -115,8 +131,8 @@ const NamedFile* PresetPicker::draw_list(const std::vector<const NamedFile*>& fo
     return chosen;
 }
 
-const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const NamedFile* current,
-                                    const std::string& shown, float width, const PresetPicture& picture) {
+const NamedFile* PresetPicker::draw(const NamedFile* current, const std::string& shown, float width,
+                                    const PresetPicture& picture) {
     is_open_ = false;
     wanted_picture_.clear();
     const bool clicked = widgets::ClosedList("##preset", shown.c_str(), width);
@@ -126,7 +142,7 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2.0F));
     if (clicked) {
         search_.clear();
-        marked_ = current ? current->name : presets.empty() ? "" : presets.front().name;
+        marked_ = current ? current->name : all_.empty() ? "" : all_.front().name;
         ImGui::OpenPopup("presets");
     }
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -140,12 +156,12 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     if (!is_open) return nullptr;
     is_open_ = true;
 
-    std::vector<const NamedFile*> found = found_by(presets, search_);
+    std::vector<const NamedFile*> found = found_by(all_, search_);
     const std::string marked_before = marked_, search_before = search_;
     const float list_width = std::floor(size.x * 0.46F);
     ImGui::BeginChild("left", {list_width, 0.0F});
     const bool entered = draw_search(found);
-    if (search_ != search_before) found = found_by(presets, search_);
+    if (search_ != search_before) found = found_by(all_, search_);
     const bool is_lost = place_of(found, marked_) == static_cast<std::ptrdiff_t>(found.size());
     if (!found.empty() && (is_lost || search_ != search_before)) marked_ = best_of(found, search_).name;
     const bool scroll = clicked || marked_ != marked_before || ImGui::IsWindowAppearing();

@@ -5,10 +5,22 @@
 #include "lesson/exercise.h"
 #include "state/file/beside.h"
 #include "state/file/state_json.h"
-#include "ui/window/areas.h"
 #include "ui/window/workbench.h"
 
 namespace viewing {
+namespace {
+
+/// Shows a topic in a lower view and makes that view visible.
+void show_topic(Topic topic, Params& params, ViewState& views, const Layout& layout) {
+    if (!is_shown(params, topic)) choose_topic(params, Slot::right, topic);
+    const Slot slot = topic_of(params, Slot::left) == topic ? Slot::left : Slot::right;
+    const bool is_hidden = (slot == Slot::left ? layout.lower_left : layout.lower_right).empty();
+    if (!is_hidden) return;
+    params.view.layout.big = BigView::none;
+    views.lower = LowerChoice{slot, params.view.lower_left, params.view.lower_right};
+}
+
+}  // namespace
 
 Place Workbench::place() const {
     if (presenter.is_on()) return guide.is_shown() ? Place::lesson_on_stage : Place::stage;
@@ -27,17 +39,7 @@ std::vector<SearchEntry> Workbench::offered_to_search(const Session& session) {
     limits.may_choose_view = limits.place != Place::lesson_on_stage;
     limits.movable = views.movable;
     limits.covered = widgets.targets.covered;
-    return search_entries({presets_, start_page.lessons(), *exercise_titles_}, limits, session.params);
-}
-
-void Workbench::show_topic(Topic topic, Session& session, const Layout& layout) {
-    Params& params = session.params;
-    if (!is_shown(params, topic)) choose_topic(params, Slot::right, topic);
-    const Slot slot = topic_of(params, Slot::left) == topic ? Slot::left : Slot::right;
-    const bool is_hidden = (slot == Slot::left ? layout.lower_left : layout.lower_right).empty();
-    if (!is_hidden) return;
-    params.view.layout.big = BigView::none;
-    views.lower = LowerChoice{slot, params.view.lower_left, params.view.lower_right};
+    return search_entries({presets_.all(), start_page.lessons(), *exercise_titles_}, limits, session.params);
 }
 
 void Workbench::draw_search(const CommandContext& context, const Layout& layout) {
@@ -46,16 +48,16 @@ void Workbench::draw_search(const CommandContext& context, const Layout& layout)
     const std::optional<SearchChoice> choice = search_.draw([&] { return offered_to_search(session); });
     if (!choice) return;
     start_page.close();
-    exercise_page.close();
+    exercises.page.close();
     presenter.close_overview();
     if (const auto* preset = std::get_if<PresetChoice>(&*choice)) {
         session.open(preset->name);
     } else if (const auto* lesson = std::get_if<LessonPlace>(&*choice)) {
-        const auto known = progress.find(lesson->id);
-        guide.open(lesson->file, lesson->step.value_or(known == progress.end() ? 0 : known->second.step));
+        const auto known = past.progress.find(lesson->id);
+        guide.open(lesson->file, lesson->step.value_or(known == past.progress.end() ? 0 : known->second.step));
     } else if (const auto* exercise = std::get_if<ExerciseChoice>(&*choice)) {
-        exercises.open();
-        go_to_exercise(exercise->id, false);
+        exercises.desk.open();
+        exercises.go_to(exercise->id, false);
     } else if (const auto* field = std::get_if<FieldChoice>(&*choice)) {
         const UiParams looks = session.params.ui;
         const bool adds = field->is_beside && session.params.view.beside.shows == Beside::settings;
@@ -71,7 +73,7 @@ void Workbench::draw_search(const CommandContext& context, const Layout& layout)
         if (now.scale != looks.scale) requests.chosen_scale = now.scale;
         if (now.language != looks.language) requests.chosen_language = now.language;
     } else if (const auto* topic = std::get_if<Topic>(&*choice)) {
-        show_topic(*topic, session, layout);
+        show_topic(*topic, session.params, views, layout);
     } else if (const auto* command = std::get_if<const WindowCommand*>(&*choice)) {
         (*command)->run(*this, context);
     }

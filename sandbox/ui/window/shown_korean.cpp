@@ -30,10 +30,21 @@ void want_texts(const Lesson& lesson, Syllables& korean) {
 
 }  // namespace
 
+void LongTexts::want(const Session& session, const Guide& guide, Syllables& korean) {
+    if (scene_version_ != session.scene_version()) {
+        scene_version_ = session.scene_version();
+        for (const SceneObject& object : session.scene().objects) korean.want(object.description.name);
+    }
+    const std::shared_ptr<const Lesson> lesson = guide.run() ? guide.run()->shared_lesson() : nullptr;
+    if (lesson && (lesson != lesson_ || spoken_language() != language_)) want_texts(*lesson, korean);
+    lesson_ = lesson;
+    language_ = spoken_language();
+}
+
 void Workbench::want_korean(const Session& session) {
     korean.want(session.message.text);
     if (guide.run()) korean.want(guide.run()->trouble());
-    korean.want(preset_picker_.search());
+    korean.want(presets_.search());
     korean.want(search_.typed());
     for (const SearchEntry& entry : search_.entries()) {
         korean.want(entry.title);
@@ -45,24 +56,17 @@ void Workbench::want_korean(const Session& session) {
     if (const auto* scene = std::get_if<std::string>(&session.params.scene)) korean.want(*scene);
     if (start_page.is_open()) {
         for (const LessonFile& file : start_page.lessons()) korean.want(file.title.shown());
-        for (const std::string& file : recent) korean.want(file);
+        for (const std::string& file : past.recent) korean.want(file);
     }
-    if (exercise_page.is_open()) {
-        for (const ExerciseDesk::Entry& entry : exercises.entries()) korean.want(entry.exercise.title.shown());
-        const Student& student = exercises.student();
+    if (exercises.page.is_open()) {
+        for (const ExerciseDesk::Entry& entry : exercises.desk.entries()) korean.want(entry.exercise.title.shown());
+        const Student& student = exercises.desk.student();
         for (const std::string& text : {student.number, student.course, student.name}) korean.want(text);
         for (const auto& field : widgets.text_fields) korean.want(field.second.entry.value_or(""));
     }
-    if (korean_scene_version_ != session.scene_version()) {
-        korean_scene_version_ = session.scene_version();
-        for (const SceneObject& object : session.scene().objects) korean.want(object.description.name);
-    }
     if (guide.is_shown() && guide.run()->shows_end())
         for (const std::string& text : end_card_.texts(*guide.run())) korean.want(text);
-    const std::shared_ptr<const Lesson> lesson = guide.run() ? guide.run()->shared_lesson() : nullptr;
-    if (lesson && (lesson != korean_lesson_ || spoken_language() != korean_language_)) want_texts(*lesson, korean);
-    korean_lesson_ = lesson;
-    korean_language_ = spoken_language();
+    long_texts_.want(session, guide, korean);
 }
 
 }  // namespace viewing

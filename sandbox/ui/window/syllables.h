@@ -5,10 +5,13 @@
 #include <imgui.h>
 
 #include <cstddef>
+#include <memory>
 #include <set>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "session/guide.h"
 
 namespace viewing {
 
@@ -30,6 +33,18 @@ private:
     std::set<ImWchar> characters_;
     std::size_t in_ranges_ = 0;
     std::vector<ImWchar> ranges_;
+};
+
+/// Collects the names of the scene's objects and the texts of the lesson, which are too many for every frame.
+class LongTexts {
+public:
+    /// Collects the texts that have changed since the last call.
+    void want(const Session& session, const Guide& guide, Syllables& korean);
+
+private:
+    int scene_version_ = -1;
+    std::shared_ptr<const Lesson> lesson_;
+    Language language_ = Language::en;
 };
 
 }  // namespace viewing

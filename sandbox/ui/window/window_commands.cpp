@@ -8,7 +8,7 @@
 #include "state/file/beside.h"
 #include "text/catalogue.h"
 #include "ui/panel/beside_panel.h"
-#include "ui/window/areas.h"
+#include "ui/window/clipboard.h"
 #include "ui/window/window_layout.h"
 #include "ui/window/workbench.h"
 
@@ -67,6 +67,25 @@ void look_along(Workbench&, Context context) {
     context.session.look_along(axis);
 }
 
+/// Maximizes the view under the pointer, or shows all views again.
+void toggle_big(Workbench& window, Context context) {
+    BigView& big = context.session.params.view.layout.big;
+    big = big == BigView::none ? big_view(window.views.hovered) : BigView::none;
+}
+
+/// Takes back the first of these that there is: the lesson's end, a replay, a maximized view, a followed point.
+void take_back(Workbench& window, Context context) {
+    Session& session = context.session;
+    if (window.guide.is_shown() && window.guide.run()->shows_end())
+        window.guide.previous(session);
+    else if (window.replay.is_playing())
+        window.replay.stop();
+    else if (session.params.view.layout.big != BigView::none)
+        session.params.view.layout.big = BigView::none;
+    else
+        session.params.follow.reset();
+}
+
 }  // namespace
 
 std::span<const WindowCommand> window_commands() {
@@ -88,7 +107,7 @@ std::span<const WindowCommand> window_commands() {
         {"", KeyPress{Key::f5}, on_free_stage, end_stage, Open::text},
         {marked("Lessons"), no_key, in_any_window, [](W& w, C) { w.start_page.open(); }},
         {marked("Leave the lesson"), no_key, in_lesson, [](W& w, C c) { w.leave_lesson(c.session); }},
-        {marked("Exercises"), no_key, in_any_window, [](W& w, C) { w.exercise_page.open(w.exercises); }},
+        {marked("Exercises"), no_key, in_any_window, [](W& w, C) { w.exercises.open_page(); }},
         {marked("Open…"), with_ctrl(Key::o), anywhere, [](W& w, C) { w.file_dialog_.show(FileDialog::Purpose::open); },
          Open::list, marked("open, save"), FilePart::files},
         {marked("Save…"), with_ctrl(Key::s), anywhere, [](W& w, C) { w.file_dialog_.show(FileDialog::Purpose::save); },
@@ -98,8 +117,8 @@ std::span<const WindowCommand> window_commands() {
         {marked("Edit this step"), no_key, in_lesson, [](W& w, C c) { w.open_step_editor(c.session); }},
         {marked("Copy state"), with_ctrl(Key::c), anywhere, [](W&, C c) { copy(c.session); }, Open::list,
          marked("copy, paste the whole state"), FilePart::copies},
-        {marked("Paste state"), with_ctrl(Key::v), anywhere, [](W& w, C c) { w.paste_anything(c.session); }, Open::list,
-         "", FilePart::pastes},
+        {marked("Paste state"), with_ctrl(Key::v), anywhere,
+         [](W& w, C c) { paste(w.guide, w.matrix_dialog_, c.session); }, Open::list, "", FilePart::pastes},
         {marked("Copy link"), no_key, in_any_window, [](W& w, C c) { copy_link(w.guide, c.session, w.link_address); },
          Open::nothing, nullptr, FilePart::copies},
         {marked("Snapshot"), KeyPress{Key::f12}, anywhere, [](W&, C c) { c.requests.snapshot = true; }, Open::dialog,
@@ -127,13 +146,14 @@ std::span<const WindowCommand> window_commands() {
          Open::dialog, ""},
         {"", with_ctrl(Key::p), anywhere, [](W& w, C) { w.search_.open(); }, Open::list,
          marked("search everything, including a setting with its value: near 0.01")},
-        {marked("Maximize the view"), KeyPress{Key::m}, anywhere, [](W& w, C c) { w.toggle_big(c.session); },
-         Open::nothing, marked("maximize the view under the pointer")},
+        {marked("Maximize the view"), KeyPress{Key::m}, anywhere, toggle_big, Open::nothing,
+         marked("maximize the view under the pointer")},
         {marked("Handles and labels"), KeyPress{Key::h}, anywhere, [](W& w, C) { w.views.handles = !w.views.handles; },
          Open::nothing, marked("toggle handles and labels")},
-        {marked("The preset's description"), KeyPress{Key::c}, anywhere, [](W& w, C c) { w.toggle_caption(c.session); },
+        {marked("The preset's description"), KeyPress{Key::c}, anywhere,
+         [](W& w, C c) { w.caption_fold_ = !w.layout(ImGui::GetIO().DisplaySize, c.session).caption_is_folded; },
          Open::nothing, marked("fold or unfold the preset's description")},
-        {"", KeyPress{Key::escape}, in_any_window, [](W& w, C c) { w.take_back(c.session); }},
+        {"", KeyPress{Key::escape}, in_any_window, take_back},
 
         {marked("Starting view"), KeyPress{Key::home}, without_lesson, [](W&, C c) { c.session.go_home(); },
          Open::nothing, marked("starting view · whole scene")},
@@ -148,9 +168,9 @@ std::span<const WindowCommand> window_commands() {
         {marked("Next navigation mode"), KeyPress{Key::n}, anywhere,
          [](W&, C c) { advance(c.session.params.camera.navigation); }, Open::nothing, marked("next navigation mode")},
         {marked("Previous preset"), KeyPress{Key::page_up}, without_lesson,
-         [](W& w, C c) { w.turn_preset(-1, c.session); }, Open::nothing, marked("previous preset, next preset")},
+         [](W& w, C c) { w.presets_.turn(-1, c.session); }, Open::nothing, marked("previous preset, next preset")},
         {marked("Next preset"), KeyPress{Key::page_down}, without_lesson,
-         [](W& w, C c) { w.turn_preset(1, c.session); }, Open::nothing, ""},
+         [](W& w, C c) { w.presets_.turn(1, c.session); }, Open::nothing, ""},
         {marked("Larger"), with_ctrl(Key::plus), anywhere, change_scale<1>, Open::list,
          marked("larger, smaller, default size")},
         {marked("Smaller"), with_ctrl(Key::minus), anywhere, change_scale<-1>, Open::list, ""},

@@ -32,6 +32,19 @@ int rows_of(const std::vector<std::string>& controls) {
     return rows;
 }
 
+/// The rectangle around pictures with their headers; empty if all pictures are empty.
+Rect around(std::initializer_list<Rect> pictures, float header_height) {
+    Rect area;
+    for (const Rect& picture : pictures) {
+        if (picture.empty()) continue;
+        const Rect whole{{picture.min.x, picture.min.y - header_height}, picture.max};
+        area = area.empty() ? whole
+                            : Rect{{std::min(area.min.x, whole.min.x), std::min(area.min.y, whole.min.y)},
+                                   {std::max(area.max.x, whole.max.x), std::max(area.max.y, whole.max.y)}};
+    }
+    return area;
+}
+
 }  // namespace
 
 bool is_folded(const Params& params, std::string_view column) {
@@ -49,16 +62,9 @@ void fold(Params& params, std::string_view column, bool folded) {
 }
 
 BigView big_view(ViewName hovered) {
-    switch (hovered) {
-        case ViewName::lower_left:
-            return BigView::lower_left;
-        case ViewName::lower_right:
-            return BigView::lower_right;
-        case ViewName::matrices:
-            return BigView::matrices;
-        default:
-            return BigView::camera;
-    }
+    static constexpr auto views = per_enum<ViewName>(BigView::camera, BigView::camera, BigView::lower_left,
+                                                     BigView::lower_right, BigView::matrices);
+    return views[hovered];
 }
 
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices) {
@@ -93,7 +99,8 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     stage.lowest_right = right.lowest;
 }
 
-std::vector<std::string> matrices_about(const Params& params, std::string_view group) {
+std::vector<std::string> matrices_about(const Params& params, const NamedFile* preset) {
+    const std::string group = preset ? preset->group : "";
     const bool is_of_depth = group == "Depth buffer" || group == "Depth fighting";
     if (is_of_depth) return {"P"};
     if (group == "Hidden surfaces") return {};
@@ -116,23 +123,6 @@ void open_lower_views(Arrangement& arrangement, Slot first) {
     arrangement.stage.left = fitting == 2 || (fitting == 1 && first == Slot::left);
     arrangement.stage.right = fitting == 2 || (fitting == 1 && first == Slot::right);
 }
-
-namespace {
-
-/// The rectangle around pictures with their headers; empty if all pictures are empty.
-Rect around(std::initializer_list<Rect> pictures, float header_height) {
-    Rect area;
-    for (const Rect& picture : pictures) {
-        if (picture.empty()) continue;
-        const Rect whole{{picture.min.x, picture.min.y - header_height}, picture.max};
-        area = area.empty() ? whole
-                            : Rect{{std::min(area.min.x, whole.min.x), std::min(area.min.y, whole.min.y)},
-                                   {std::max(area.max.x, whole.max.x), std::max(area.max.y, whole.max.y)}};
-    }
-    return area;
-}
-
-}  // namespace
 
 Rect lower_views_area(const Layout& layout) {
     return around({layout.lower_left, layout.lower_right}, layout.header_height);

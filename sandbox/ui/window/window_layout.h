@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "state/params.h"
+#include "state/presets.h"
 #include "ui/parts/layout.h"
 #include "ui/parts/topics.h"
 
@@ -26,8 +27,8 @@ BigView big_view(ViewName hovered);
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices);
 
 /// For a state that lists no matrices, returns those that it is about, in lecture order: the matrices that move the
-/// camera, or those that make the shadow and the mirror image. `group`: the open preset's topic, or "".
-std::vector<std::string> matrices_about(const Params& params, std::string_view group);
+/// camera, or those that make the shadow and the mirror image. `preset`: the open one; null for none.
+std::vector<std::string> matrices_about(const Params& params, const NamedFile* preset);
 
 /// On stage, opens the lower views that fit beside the matrices; if only one fits, opens `first`.
 void open_lower_views(Arrangement& arrangement, Slot first);

@@ -11,7 +11,6 @@
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/views/lower_view.h"
-#include "ui/window/areas.h"
 #include "ui/window/window_layout.h"
 
 namespace viewing {
@@ -31,9 +30,74 @@ MotionInput motion_of(const FrameInput& input) {
     return motion;
 }
 
-}  // namespace
+/// When presenting, returns the switches to offer: `kinds`, the controls that the state's layout lists, and the step's
+/// highlighted parts. Otherwise returns nullopt, for all switches.
+std::optional<std::vector<std::string>> offered(const Workbench& window, const Params& params,
+                                                std::vector<std::string> kinds) {
+    if (!window.presenter.is_on()) return std::nullopt;
+    for (const std::string& path : params.view.layout.controls) kinds.push_back("control:" + path);
+    kinds.insert(kinds.end(), window.stage.highlight.begin(), window.stage.highlight.end());
+    return kinds;
+}
 
-Workbench::Workbench() : presets_(presets()), scenes_(scenes()), lectures_(lectures()) {}
+void draw_splitters(Arrangement& arrangement, const Layout& layout, const Rect& between) {
+    const Rect& lower = layout.lower_left.empty() ? layout.lower_right : layout.lower_left;
+    ImGui::SetCursorScreenPos({lower.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
+    const float length = std::max(layout.lower_right.max.x, lower.max.x) - lower.min.x;
+    widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
+    if (!layout.panel.empty()) {
+        ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
+        widgets::Splitter("panel width", true, arrangement.panel_width, 298.0F, 420.0F, between.height());
+    }
+    if (!layout.matrices.empty()) {
+        ImGui::SetCursorScreenPos({between.max.x - px(8.0F), between.min.y});
+        widgets::Splitter("matrices width", true, arrangement.matrices_width, 360.0F, 560.0F, between.height(), -1.0F);
+    }
+    if (!layout.lower_fit) return;
+    // The arrangement stores this split as a fraction, so that it fits windows of any width.
+    const float whole = (layout.lower_right.max.x - layout.lower_left.min.x) / widgets::CurrentContext().scale;
+    float left = arrangement.lower_split * whole;
+    ImGui::SetCursorScreenPos({layout.lower_left.max.x + px(2.0F), layout.lower_left.min.y});
+    if (widgets::Splitter("lower split", true, left, 0.25F * whole, 0.75F * whole, layout.lower_left.height()))
+        arrangement.lower_split = left / whole;
+}
+
+void draw_loading(Session& session, const Layout& layout) {
+    const std::optional<float> fraction = session.loading_fraction();
+    if (!fraction) return;
+    const ImVec2 size(px(360.0F), px(96.0F));
+    const Rect& over = layout.camera.empty() ? layout.status_bar : layout.camera;
+    ImGui::SetNextWindowPos({(over.min.x + over.max.x - size.x) * 0.5F, (over.min.y + over.max.y - size.y) * 0.5F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin("loading", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::TextUnformatted(say("Loading {name}", "name"_a = printable(session.loading_name())).c_str());
+    ImGui::ProgressBar(*fraction, {-1.0F, 0.0F});
+    if (widgets::Button("Cancel")) session.cancel_loading();
+    ImGui::End();
+}
+
+void draw_message(Session& session, const Layout& layout) {
+    if (!session.message.is_error) return;
+    // Without a status bar (for example when presenting), place the message above the strip or the window's edge.
+    const ImVec2 window_px = ImGui::GetIO().DisplaySize;
+    const float bottom = !layout.status_bar.empty() ? layout.status_bar.min.y
+                         : !layout.strip.empty()    ? layout.strip.min.y
+                                                    : window_px.y;
+    const float width = std::min(px(560.0F), window_px.x - px(20.0F));
+    ImGui::SetNextWindowPos({window_px.x * 0.5F, bottom - px(8.0F)}, ImGuiCond_Always, {0.5F, 1.0F});
+    ImGui::SetNextWindowSize({width, 0.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().raised);
+    ImGui::Begin("message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize);
+    widgets::Trouble(printable(session.message.text).c_str());
+    if (widgets::SmallButton("Dismiss")) session.message = {};
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
 
 Arrangement Workbench::arranged(const Session& session) const {
     const BesideParams& beside = session.params.view.beside;
@@ -101,7 +165,7 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
         if (!lay_out(window_px, widgets.scale, now).column_fits) now.strip_px = own;
     }
     const Layout bare = lay_out(window_px, widgets.scale, now);
-    const NamedFile* preset = open_preset(session);
+    const NamedFile* preset = presets_.current(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
     const Rect& last = now.halves ? bare.beside : bare.camera;
     const float width = now.presents ? bare.top_bar.width() - 2.0F * bare.camera.min.x : last.max.x - bare.camera.min.x;
@@ -114,37 +178,8 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
 
 std::vector<std::string> Workbench::listed_matrices(const Session& session) const {
     const std::vector<std::string>& listed = session.params.view.layout.matrices;
-    return !listed.empty() || place() != Place::stage ? listed : matrices_about(session);
-}
-
-std::vector<std::string> Workbench::matrices_about(const Session& session) const {
-    const NamedFile* const preset = open_preset(session);
-    return viewing::matrices_about(session.params, preset ? preset->group : "");
-}
-
-const NamedFile* Workbench::open_preset(const Session& session) const {
-    return preset_at(session, 0);
-}
-
-const NamedFile* Workbench::preset_at(const Session& session, int places) const {
-    // A preset that is loading counts as open, so that pressing Page down twice advances by two.
-    const OpenPreset* const open = session.preset();
-    const std::string name = !session.opening().empty() ? session.opening() : open ? open->name : "";
-    const auto at =
-        std::find_if(presets_.begin(), presets_.end(), [&](const NamedFile& preset) { return preset.name == name; });
-    // Without an open preset, the first one is next.
-    std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
-    const auto preset = [&]() -> const NamedFile* {
-        return place >= 0 && place < std::ssize(presets_) ? &presets_[place] : nullptr;
-    };
-    if (places != 0)
-        while (preset() && preset()->sets_looks) place += places;
-    return preset();
-}
-
-double Workbench::message_ends_in_s(const StatusMessage& message) {
-    constexpr double lasts_s = 8.0;
-    return message.is_error || message.text.empty() ? -1.0 : std::max(lasts_s - message.shown_s, 0.0);
+    return !listed.empty() || place() != Place::stage ? listed
+                                                      : matrices_about(session.params, presets_.current(session));
 }
 
 FrameInput Workbench::after_typing(const FrameInput& input) {
@@ -166,59 +201,6 @@ FrameInput Workbench::after_typing(const FrameInput& input) {
     return taken;
 }
 
-void Workbench::set_stage() {
-    arrangement.presents = widgets.is_on_stage = presenter.is_on();
-    set_lesson_stage();
-    std::vector<std::string>& covered = widgets.targets.covered;
-    covered = stage.cover;
-    if (stage.asks)
-        for (const char* tells : {"sentences", "advice", "formulas"}) covered.emplace_back(tells);
-    widgets.targets.highlighted = stage.highlight;
-    views.target = stage.target;
-}
-
-std::optional<std::vector<std::string>> Workbench::offered(const Params& params, std::vector<std::string> kinds) const {
-    if (!presenter.is_on()) return std::nullopt;
-    for (const std::string& path : params.view.layout.controls) kinds.push_back("control:" + path);
-    kinds.insert(kinds.end(), stage.highlight.begin(), stage.highlight.end());
-    return kinds;
-}
-
-void Workbench::paste_anything(Session& session) {
-    const char* const held = ImGui::GetClipboardText();
-    const bool is_link_or_state = held && std::string_view(held).find_first_of("#{") != std::string_view::npos;
-    if (takes_pasted_answer() && !is_link_or_state)
-        paste_answer();
-    else if (held && MatrixDialog::is_matrix(held))
-        matrix_dialog_.paste(held, 0);
-    else
-        paste(guide, session);
-}
-
-void Workbench::toggle_big(Session& session) {
-    BigView& big = session.params.view.layout.big;
-    big = big == BigView::none ? big_view(views.hovered) : BigView::none;
-}
-
-void Workbench::toggle_caption(const Session& session) {
-    caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
-}
-
-void Workbench::turn_preset(int places, Session& session) {
-    if (const NamedFile* preset = preset_at(session, places)) session.open(preset->name);
-}
-
-void Workbench::take_back(Session& session) {
-    if (guide.is_shown() && guide.run()->shows_end())
-        guide.previous(session);
-    else if (replay.is_playing())
-        replay.stop();
-    else if (session.params.view.layout.big != BigView::none)
-        session.params.view.layout.big = BigView::none;
-    else
-        session.params.follow.reset();
-}
-
 Open Workbench::open_now(const Session& session) const {
     const bool in_dialog = help_.is_open() || file_dialog_.is_open() || search_.is_open() || matrix_dialog_.is_open() ||
                            session.asks_to_read() != nullptr;
@@ -238,7 +220,7 @@ void Workbench::handle_keys(const CommandContext& context, const FrameInput& inp
         const WindowCommand* const command = command_of(press, place());
         // An empty search field has nothing to undo, so the key is the window's.
         const bool can_undo = open == Open::text && press.ctrl && (press.key == Key::z || press.key == Key::y) &&
-                              preset_picker_.has_empty_search();
+                              presets_.has_empty_search();
         if (command && (command->open >= open || can_undo)) command->run(*this, context);
     }
     for (const std::filesystem::path& file : input.dropped_files) session.open(file.string());
@@ -252,7 +234,7 @@ void Workbench::draw_columns(Session& session, const WindowContent& content, con
                         on_plate ? ImVec2(px(12.0F), px(8.0F)) : ImVec2(px(8.0F), px(2.0F)));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, on_plate ? widgets.palette.raised : widgets.palette.ground);
     if (!layout.panel.empty()) {
-        widgets.targets.offered = offered(session.params, {"control", "button"});
+        widgets.targets.offered = offered(*this, session.params, {"control", "button"});
         begin_area("panel", layout.panel, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::none;
         if (session.params.view.layout.controls.empty())
@@ -270,12 +252,13 @@ void Workbench::draw_columns(Session& session, const WindowContent& content, con
         }
     }
     ImGui::PopStyleColor();
-    widgets.targets.offered = offered(session.params, {});
+    widgets.targets.offered = offered(*this, session.params, {});
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::matrices;
         if (const std::vector<std::string> listed = listed_matrices(session); listed.empty())
-            draw_matrices(session, derived, before, matrix_choice_, matrices_about(session));
+            draw_matrices(session, derived, before, matrix_choice_,
+                          matrices_about(session.params, presets_.current(session)));
         else
             draw_listed_matrices(session, derived, before, matrix_choice_, listed);
         widgets::CountScrolled(widgets.scrolled_count > 0);
@@ -289,9 +272,7 @@ void Workbench::draw_views(Session& session, const WindowContent& content, const
     const auto& [derived, before, plan, problems, pictures, status] = content;
     const Arrangement arranged_now = arranged(session);
     const Rect between = views_area(layout, arranged_now);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-    begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
+    begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse, ImVec2(0.0F, 0.0F));
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
     views.hovered_pixel.reset();
     views.plate = layout.panel_over_picture ? layout.panel : Rect{};
@@ -299,17 +280,13 @@ void Workbench::draw_views(Session& session, const WindowContent& content, const
     draw_beside_view(views, session, derived, layout, pictures, input, motion);
     if (arranged_now.presents && !layout.caption.empty()) {
         ImGui::End();
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-        begin_area("caption", layout.caption);
-        ImGui::PopStyleVar();
+        begin_area("caption", layout.caption, 0, ImVec2(0.0F, 0.0F));
     }
-    if (const NamedFile* preset = open_preset(session))
+    if (const NamedFile* preset = presets_.current(session))
         draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
     if (layout.lower_in_column) {
         ImGui::End();
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-        begin_area("lower views", lower_views_area(layout), ImGuiWindowFlags_NoScrollWithMouse);
-        ImGui::PopStyleVar();
+        begin_area("lower views", lower_views_area(layout), ImGuiWindowFlags_NoScrollWithMouse, ImVec2(0.0F, 0.0F));
     }
     for (const Slot slot : {Slot::left, Slot::right}) {
         const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
@@ -317,66 +294,9 @@ void Workbench::draw_views(Session& session, const WindowContent& content, const
         draw_lower_view(slot, {views, session, derived, plan, pictures, rect, picture}, !layout.lower_fit);
     }
     if (arranged_now.maximized == ViewName::none && !layout.is_short && !arranged_now.presents)
-        draw_splitters(layout, between);
+        draw_splitters(arrangement, layout, between);
     ImGui::End();
     widgets.targets.offered.reset();
-}
-
-void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
-    const Rect& lower = layout.lower_left.empty() ? layout.lower_right : layout.lower_left;
-    ImGui::SetCursorScreenPos({lower.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
-    const float length = std::max(layout.lower_right.max.x, lower.max.x) - lower.min.x;
-    widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
-    if (!layout.panel.empty()) {
-        ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
-        widgets::Splitter("panel width", true, arrangement.panel_width, 298.0F, 420.0F, between.height());
-    }
-    if (!layout.matrices.empty()) {
-        ImGui::SetCursorScreenPos({between.max.x - px(8.0F), between.min.y});
-        widgets::Splitter("matrices width", true, arrangement.matrices_width, 360.0F, 560.0F, between.height(), -1.0F);
-    }
-    if (!layout.lower_fit) return;
-    // The arrangement stores this split as a fraction, so that it fits windows of any width.
-    const float whole = (layout.lower_right.max.x - layout.lower_left.min.x) / widgets.scale;
-    float left = arrangement.lower_split * whole;
-    ImGui::SetCursorScreenPos({layout.lower_left.max.x + px(2.0F), layout.lower_left.min.y});
-    if (widgets::Splitter("lower split", true, left, 0.25F * whole, 0.75F * whole, layout.lower_left.height()))
-        arrangement.lower_split = left / whole;
-}
-
-void Workbench::draw_loading(Session& session, const Layout& layout) {
-    const std::optional<float> fraction = session.loading_fraction();
-    if (!fraction) return;
-    const ImVec2 size(px(360.0F), px(96.0F));
-    const Rect& over = layout.camera.empty() ? layout.status_bar : layout.camera;
-    ImGui::SetNextWindowPos({(over.min.x + over.max.x - size.x) * 0.5F, (over.min.y + over.max.y - size.y) * 0.5F});
-    ImGui::SetNextWindowSize(size);
-    ImGui::Begin("loading", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::TextUnformatted(say("Loading {name}", "name"_a = printable(session.loading_name())).c_str());
-    ImGui::ProgressBar(*fraction, {-1.0F, 0.0F});
-    if (widgets::Button("Cancel")) session.cancel_loading();
-    ImGui::End();
-}
-
-void Workbench::draw_message(Session& session, const Layout& layout) {
-    if (!session.message.is_error) return;
-    // Without a status bar (for example when presenting), place the message above the strip or the window's edge.
-    const ImVec2 window_px = ImGui::GetIO().DisplaySize;
-    const float bottom = !layout.status_bar.empty() ? layout.status_bar.min.y
-                         : !layout.strip.empty()    ? layout.strip.min.y
-                                                    : window_px.y;
-    const float width = std::min(px(560.0F), window_px.x - px(20.0F));
-    ImGui::SetNextWindowPos({window_px.x * 0.5F, bottom - px(8.0F)}, ImGuiCond_Always, {0.5F, 1.0F});
-    ImGui::SetNextWindowSize({width, 0.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, widgets.palette.raised);
-    ImGui::Begin("message", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize);
-    widgets::Trouble(printable(session.message.text).c_str());
-    if (widgets::SmallButton("Dismiss")) session.message = {};
-    ImGui::End();
-    ImGui::PopStyleColor();
 }
 
 void Workbench::draw_windows(Session& session, const WindowContent& content, const FrameInput& input,
@@ -391,13 +311,10 @@ void Workbench::draw_windows(Session& session, const WindowContent& content, con
         begin_area("panel", now.panel);
         ImGui::End();
     }
-    if (!now.top_bar.empty()) draw_top_bar(context, now, pictures.preset);
+    if (!now.top_bar.empty() && top_bar_.draw(*this, presets_, context, now, pictures.preset)) help_.open();
     draw_columns(session, content, now);
     draw_views(session, content, now, input, motion);
-    if (!now.status_bar.empty()) draw_status_bar(session, now, content.status);
-    if (now.status_bar.empty() && recorder.is_recording())
-        ImGui::GetForegroundDrawList()->AddText({px(10.0F), px(8.0F)}, widgets.palette.trouble,
-                                                recorder.sign().c_str());
+    draw_status_bar(session, now, content.status, recorder.sign());
     widgets::StopUnlessShown(views.call_player);
     widgets::StopUnlessShown(views.pass_player);
     widgets::StopUnlessShown(views.way_player);
@@ -424,7 +341,7 @@ Requests Workbench::draw(Session& session, const WindowContent& content, const F
     if (recorder.is_full()) recorder.write(session);
     replay.update(session, input.dt_s);
     follow_lesson(session, input);
-    remember_opened(session);
+    past.note_opened(session);
     Requests requests;
     if (session.message.is_drawn) session.message.shown_s += input.dt_s;
     if (message_ends_in_s(session.message) == 0.0) session.message = {};

@@ -107,7 +107,7 @@ public:
         bench.presenter.end();
         bench.guide.close();
         bench.start_page.close();
-        bench.exercise_page.close();
+        bench.exercises.page.close();
         for (int i = 0; i < 4; ++i) tap("Escape");
         bench.replay.stop();
         bench.recorder.end();
@@ -117,7 +117,7 @@ public:
         for (int i = 0; i < 900; ++i) {
             frame();
             studio.session.finish_loading();
-            const bool works = bench.exercises.is_open() && !bench.exercises.is_ready();
+            const bool works = bench.exercises.desk.is_open() && !bench.exercises.desk.is_ready();
             if (i > 5 && !works && !studio.session.is_moving() && studio.redraw_in_s() != 0.0) return;
         }
         throw Finding("the window does not come to rest");
@@ -252,10 +252,10 @@ private:
                 const std::string& id = exercises_[hands.pick(exercises_.size())];
                 journal_ << "exercise " << id << std::endl;
                 fs::create_directories(home_ / "answers");
-                studio.workbench.exercises.keep_in(home_ / "answers", "0.0");
-                studio.workbench.exercises.sit_down({"viewing-2026", std::to_string(hands.pick(9)), "Kim"});
-                studio.workbench.exercises.open();
-                studio.workbench.go_to_exercise(id, false);
+                studio.workbench.exercises.desk.keep_in(home_ / "answers", "0.0");
+                studio.workbench.exercises.desk.sit_down({"viewing-2026", std::to_string(hands.pick(9)), "Kim"});
+                studio.workbench.exercises.desk.open();
+                studio.workbench.exercises.go_to(id, false);
                 break;
             }
             case 2:

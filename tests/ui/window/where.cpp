@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     }
     viewing::test::ExerciseSheetDesk desk({std::strtof(argv[1], nullptr), std::strtof(argv[2], nullptr)});
     if (argc == 4 && std::strcmp(argv[3], "page") == 0) {
-        desk.workbench.exercise_page.open(desk.workbench.exercises);
+        desk.workbench.exercises.open_page();
         desk.ui.frames(4);
     } else if (argc == 4) {
         desk.begin(argv[3]);

@@ -1,16 +1,13 @@
-// Helpers for the fixed areas of the window, and the clipboard commands.
+// The clipboard commands: states, links and answers.
 #pragma once
 
 #include <string>
 
 #include "session/guide.h"
-#include "session/session.h"
-#include "ui/parts/layout.h"
 
 namespace viewing {
 
-/// Begins an undecorated window that fills a rectangle.
-bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
+class MatrixDialog;
 
 /// Copies the whole state to the clipboard.
 void copy(Session& session);
@@ -24,8 +21,11 @@ void copy_link(const Guide& guide, Session& session, const std::string& address)
 /// why there is no link: the page has no address on the web, or the state would reveal covered parts.
 Result<std::string> link_for_code(const Guide& guide, Session& session, const std::string& address);
 
-/// Pastes from the clipboard: a state, a link to a state, or a link to a lesson, which it opens. Reports an error if
-/// the clipboard holds none of these.
-void paste(Guide& guide, Session& session);
+/// Pastes from the clipboard: an answer to the current question, a matrix, a state, a link to a state, or a link to a
+/// lesson, which it opens. Reports an error if the clipboard holds none of these.
+void paste(Guide& guide, MatrixDialog& dialog, Session& session);
+
+/// Pastes numbers as the answer to a question about a matrix or vector.
+void paste_answer(Guide& guide);
 
 }  // namespace viewing
