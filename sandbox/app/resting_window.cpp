@@ -50,8 +50,7 @@ void lead(Studio& studio, const LessonPicture& wanted) {
 /// Returns the window's sentence for an empty view. If that sentence asks for a click, instead returns one that names
 /// the setting that would fill the view.
 std::string nothing_to_show(PictureView view, const Params& params, const std::string& offered) {
-    const Topic topic = topic_of(view, params);
-    const bool wants_pixel = topic != Topic::automatic && examines_pixel(lower_view(topic));
+    const bool wants_pixel = maximized(view) == ViewName::lower_left && examines_pixel(lower_view(params, Slot::left));
     const std::string name = picture_view_names[static_cast<std::size_t>(view)];
     if (wants_pixel && !params.view.pixel && !params.view.pin)
         return "the view " + name + " needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]";

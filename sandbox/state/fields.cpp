@@ -32,7 +32,7 @@ template <> std::span<const char* const> names_of<DepthColors>() { static conste
 template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth", "settings"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
 template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", VIEWING_LOWER_VIEWS(VIEWING_NAME, VIEWING_NAME)}; return names; }
-template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
+template <> std::span<const char* const> names_of<ViewName>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<Language>() { static constexpr const char* names[] = {"en", "ko"}; return names; }
 template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }

@@ -201,7 +201,7 @@ template <> std::span<const char* const> names_of<DepthColors>();
 template <> std::span<const char* const> names_of<Beside>();
 template <> std::span<const char* const> names_of<BesideLayout>();
 template <> std::span<const char* const> names_of<Topic>();
-template <> std::span<const char* const> names_of<BigView>();
+template <> std::span<const char* const> names_of<ViewName>();
 template <> std::span<const char* const> names_of<Theme>();
 template <> std::span<const char* const> names_of<Language>();
 template <> std::span<const char* const> names_of<ShapeKind>();

@@ -34,11 +34,12 @@ struct BesideParams {
     bool operator==(const BesideParams&) const = default;
 };
 
-enum class BigView { none, camera, lower_left, lower_right, matrices };
+/// The views of the window, of which one can be maximized.
+enum class ViewName { none, camera, lower_left, lower_right, matrices };
 
 /// The layout of the window for a demonstration. Empty lists change nothing.
 struct LayoutParams {
-    BigView big = BigView::none;        ///< the view that fills the space of all views
+    ViewName big = ViewName::none;      ///< the view that fills the space of all views
     std::vector<std::string> matrices;  ///< shows only these, in this order
     std::vector<std::string> controls;  ///< shows only these: paths of fields and groups
     std::vector<std::string> folded;    ///< "panel", "matrices" or both

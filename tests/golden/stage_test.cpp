@@ -36,7 +36,7 @@ TEST_P(StageTablesTest, TablesAndExplanationsFitCompletely) {
             const LoadedState& start = lesson->steps[step].start;
             const bool is_measured = is_shown(start.params, Topic::pixel) || is_shown(start.params, Topic::fighting) ||
                                      is_shown(start.params, Topic::why);
-            if (!is_measured || start.params.view.layout.big != BigView::none) continue;
+            if (!is_measured || start.params.view.layout.big != ViewName::none) continue;
             for (const bool revealed : {false, true}) {
                 if (!revealed && GetParam().x > 1024) continue;
                 const std::unique_ptr<RestingWindow> window = stage_of(*lesson, step, revealed);

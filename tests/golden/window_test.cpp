@@ -74,10 +74,10 @@ TEST_F(WindowTest, TheCameraPictureMatchesItsStateWithAMaximizedView) {
     };
     studio.frame({.size_px = {800, 600}, .input = {}});
     expect_its_state("from the beginning");
-    studio.session.params.view.layout.big = BigView::none;
+    studio.session.params.view.layout.big = ViewName::none;
     studio.frame({.size_px = {800, 600}, .input = {}});
     expect_its_state("on screen");
-    studio.session.params.view.layout.big = BigView::lower_left;
+    studio.session.params.view.layout.big = ViewName::lower_left;
     studio.session.params.camera.yaw += 10.0;
     studio.frame({.size_px = {800, 600}, .input = {}});
     expect_its_state("off screen, and turned");

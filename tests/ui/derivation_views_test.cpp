@@ -215,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, DerivationInALowWindow,
 TEST_F(DerivationViews, FillTheWindow) {
     for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {
         show(topic);
-        desk.params().view.layout.big = BigView::lower_right;
+        desk.params().view.layout.big = ViewName::lower_right;
         desk.settle();
         const RecordedItem figure = ui.find("lower/figure");
         EXPECT_GT(figure.max.x - figure.min.x, 300.0F);

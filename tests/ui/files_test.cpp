@@ -296,7 +296,7 @@ TEST_F(FilesTest, KeysDoNothingWhileADialogIsOpen) {
     ui.release();  // moves the keyboard focus away from the name field
     for (const Key key : {Key::w, Key::n, Key::b, Key::m}) desk.press(key);
     EXPECT_EQ(params, before);
-    EXPECT_EQ(desk.params().view.layout.big, BigView::none);
+    EXPECT_EQ(desk.params().view.layout.big, ViewName::none);
     EXPECT_TRUE(desk.workbench.views.handles);
     desk.press(Key::escape);
     EXPECT_FALSE(ui.has("file/name"));

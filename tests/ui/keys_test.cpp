@@ -50,7 +50,7 @@ TEST_F(KeysTest, TypingMovesNothing) {
     desk.let_go(Key::s);
     EXPECT_EQ(params, before);
     EXPECT_TRUE(desk.workbench.views.handles);
-    EXPECT_EQ(desk.params().view.layout.big, BigView::none);
+    EXPECT_EQ(desk.params().view.layout.big, ViewName::none);
     desk.press(Key::escape);
     desk.settle();
     EXPECT_EQ(params, before);
@@ -81,23 +81,23 @@ TEST_F(KeysTest, FoldKeysFoldTheColumns) {
 }
 
 TEST_F(KeysTest, MMaximizesTheViewUnderThePointer) {
-    for (const auto& [label, view] : {std::pair{"view/camera view", BigView::camera},
-                                      {"left/observer/observer view", BigView::lower_left},
-                                      {"lower/lower view", BigView::lower_right}}) {
+    for (const auto& [label, view] : {std::pair{"view/camera view", ViewName::camera},
+                                      {"left/observer/observer view", ViewName::lower_left},
+                                      {"lower/lower view", ViewName::lower_right}}) {
         ui.hover(label);
         desk.press(Key::m);
         EXPECT_EQ(params.view.layout.big, view);
         EXPECT_GT(ui.find(label).max.x - ui.find(label).min.x, 1500.0F);
         EXPECT_FALSE(ui.has("Camera"));
         desk.press(Key::escape);
-        EXPECT_EQ(desk.params().view.layout.big, BigView::none);
+        EXPECT_EQ(desk.params().view.layout.big, ViewName::none);
     }
 }
 
 TEST_F(KeysTest, MMaximizesTheMatrices) {
     ui.hover("matrices/S/r0c0");
     desk.press(Key::m);
-    EXPECT_EQ(desk.params().view.layout.big, BigView::matrices);
+    EXPECT_EQ(desk.params().view.layout.big, ViewName::matrices);
     EXPECT_GT(desk.layout().matrices.width(), 1500.0F);
     EXPECT_TRUE(desk.layout().camera.empty());
     EXPECT_TRUE(ui.has("matrices/S/r0c0") && ui.has("matrices/R/r0c0"));
@@ -109,7 +109,7 @@ TEST_F(KeysTest, MaximizedCodeIsBesideItsMatrices) {
     const Rect code = desk.layout().lower_left;
     ui.move_to({0.5F * (code.min.x + code.max.x), 0.5F * (code.min.y + code.max.y)});
     desk.press(Key::m);
-    ASSERT_EQ(desk.params().view.layout.big, BigView::lower_left);
+    ASSERT_EQ(desk.params().view.layout.big, ViewName::lower_left);
     EXPECT_FALSE(desk.layout().matrices.empty());
     EXPECT_TRUE(ui.has("matrices/R/r0c0"));
     EXPECT_GT(desk.layout().lower_left.width(), 1000.0F);
@@ -162,7 +162,7 @@ TEST_F(KeysTest, WhileTheHelpIsOpenOnlyEscapeWorks) {
     for (const Key key : {Key::w, Key::n, Key::b, Key::m}) desk.press(key);
     EXPECT_EQ(params, before);
     EXPECT_TRUE(desk.workbench.views.handles);
-    EXPECT_EQ(desk.params().view.layout.big, BigView::none);
+    EXPECT_EQ(desk.params().view.layout.big, ViewName::none);
     desk.press(Key::escape);
     EXPECT_FALSE(ui.has("keys/Close"));
     EXPECT_EQ(params, before);

@@ -187,7 +187,7 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
     };
     const auto& found = desk.workbench.widgets.targets.found;
     const auto is_drawn = [&](const Rect& part) { return !part.empty() && part.max.y <= layout.strip.min.y + 1.0F; };
-    const bool is_alone = listed.big != BigView::none;
+    const bool is_alone = listed.big != ViewName::none;
     require(is_alone || !step.names_lower_left || is_drawn(layout.lower_left), "the left view");
     require(is_alone || !step.names_lower_right || is_drawn(layout.lower_right), "the right view");
     // The control of view.call is in the view that it steps, not in the panel.

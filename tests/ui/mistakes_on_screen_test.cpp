@@ -55,7 +55,7 @@ TEST_F(MistakesOnScreenTest, DisplayHasItsOwnViewAndFillsIt) {
     desk.settle();
     const auto height = [&] { return ui.find("left/void display() {").max.y - ui.find("left/void display() {").min.y; };
     const float small = height();
-    params.view.layout.big = BigView::lower_left;
+    params.view.layout.big = ViewName::lower_left;
     desk.settle();
     EXPECT_GT(height(), 1.5F * small);
     const Rect view = desk.layout().lower_left;

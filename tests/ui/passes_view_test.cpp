@@ -14,7 +14,7 @@ class PassesView : public ::testing::Test {
 protected:
     PassesView() {
         params.view.lower_right = Topic::passes;
-        desk.params().view.layout.big = BigView::lower_right;
+        desk.params().view.layout.big = ViewName::lower_right;
         desk.settle();
     }
 
@@ -154,7 +154,7 @@ TEST_F(PassesView, PassesNotDrawnAreDimmed) {
 
 TEST_F(PassesView, TheListFollowsTheSteps) {
     ImGui::GetIO().DisplaySize = {1600, 900};
-    desk.params().view.layout.big = BigView::none;
+    desk.params().view.layout.big = ViewName::none;
     desk.settle();
     const Rect place = desk.layout().lower_right;
     ui.click("lower/passes/First");
@@ -208,13 +208,13 @@ TEST_F(PassesView, FitsEverywhereAndChangesNothing) {
     params.reflection.bounces = 3;
     for (const Theme theme : {Theme::dark, Theme::projector}) {
         params.ui.theme = theme;
-        params.view.layout.big = BigView::none;
+        params.view.layout.big = ViewName::none;
         ImGui::GetIO().DisplaySize = {1600, 900};
         desk.apply_looks();
         for (const ImVec2 size : {ImVec2{1600, 900}, ImVec2{800, 600}, ImVec2{420, 320}, ImVec2{250, 200},
                                   ImVec2{90, 120}, ImVec2{20, 20}, ImVec2{2, 2}}) {
             ImGui::GetIO().DisplaySize = size;
-            for (const BigView big : {BigView::none, BigView::lower_right}) {
+            for (const ViewName big : {ViewName::none, ViewName::lower_right}) {
                 params.view.layout.big = big;
                 const Params before = params;
                 ui.frames(4);

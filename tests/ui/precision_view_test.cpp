@@ -64,7 +64,7 @@ TEST_F(PrecisionView, RaisingNearTakesOneClick) {
 }
 
 TEST_F(PrecisionView, MarksNearFarAndVisibleObjects) {
-    desk.params().view.layout.big = BigView::lower_right;  // large enough for names
+    desk.params().view.layout.big = ViewName::lower_right;  // large enough for names
     show(Topic::precision);
     EXPECT_TRUE(std::ranges::any_of(desk.recorded(), [](const RecordedItem& item) {
         return item.label.starts_with("lower/precision/mark/") && item.label.find("quad at 4") != std::string::npos;

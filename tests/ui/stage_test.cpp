@@ -342,7 +342,7 @@ TEST_F(StageTest, ATargetIsMarkedInTheCamerasAndTheObserversView) {
 // ---- laid out ----------------------------------------------------------------------------------------
 
 TEST_F(StageTest, ALayoutShowsOnlyTheListedMatricesAndControls) {
-    params.view.layout = {BigView::camera, {"C", "V", "follow"}, {"camera.position", "slips.swapped_order"}, {}};
+    params.view.layout = {ViewName::camera, {"C", "V", "follow"}, {"camera.position", "slips.swapped_order"}, {}};
     desk.settle();
     EXPECT_LT(ui.find("matrices/C/r0c0").min.y, ui.find("matrices/V/r0c0").min.y) << "in their order";
     EXPECT_FALSE(ui.has("matrices/S/r0c0") || ui.has("matrices/R/r0c0") || ui.has("matrices/P/r0c0"));
@@ -358,16 +358,16 @@ TEST_F(StageTest, ALayoutShowsOnlyTheListedMatricesAndControls) {
 }
 
 TEST_F(StageTest, AnEmptyListHidesTheColumn) {
-    params.view.layout = {BigView::camera, {"R"}, {}, {}};
+    params.view.layout = {ViewName::camera, {"R"}, {}, {}};
     desk.settle();
     EXPECT_TRUE(desk.layout().panel.empty());
     EXPECT_FALSE(desk.layout().matrices.empty());
-    params.view.layout = {BigView::camera, {}, {"plane.equation"}, {}};
+    params.view.layout = {ViewName::camera, {}, {"plane.equation"}, {}};
     desk.settle();
     EXPECT_FALSE(desk.layout().panel.empty());
     EXPECT_TRUE(desk.layout().matrices.empty());
     EXPECT_TRUE(ui.has("plane/equation/x") || ui.has("plane/equation/a"));
-    params.view.layout = {BigView::camera, {}, {}, {}};
+    params.view.layout = {ViewName::camera, {}, {}, {}};
     desk.settle();
     EXPECT_TRUE(desk.layout().panel.empty() && desk.layout().matrices.empty());
 }
@@ -389,7 +389,7 @@ TEST_F(StageTest, EveryListableControlExists) {
         if (path == "visibility.step") params.visibility.method = VisibilityMethod::newell;
         for (const char* of_tree : {"visibility.splitter", "visibility.walk", "visibility.epsilon"})
             if (path == of_tree) params.visibility.method = VisibilityMethod::bsp;
-        params.view.layout = {BigView::camera, {}, {path}, {}};
+        params.view.layout = {ViewName::camera, {}, {path}, {}};
         stage.highlight = {name};
         ui.frames(3);
         if (!missing().empty()) none += path + "\n";
@@ -405,16 +405,16 @@ TEST_F(StageTest, KeysChangeTheStatesLayoutAndUndoRestoresIt) {
     EXPECT_EQ(params.view.layout.folded, (std::vector<std::string>{"panel", "matrices"}));
     ui.hover("view/camera view");
     desk.press(Key::m);
-    EXPECT_EQ(params.view.layout.big, BigView::camera);
+    EXPECT_EQ(params.view.layout.big, ViewName::camera);
     desk.undo();
-    EXPECT_EQ(params.view.layout.big, BigView::none);
+    EXPECT_EQ(params.view.layout.big, ViewName::none);
     EXPECT_EQ(params.view.layout.folded, (std::vector<std::string>{"panel", "matrices"}));
     desk.press(Key::f2);
     EXPECT_EQ(params.view.layout.folded, std::vector<std::string>{"matrices"});
 }
 
 TEST_F(StageTest, APresetWithoutALayoutKeepsTheCurrentOne) {
-    params.view.layout = {BigView::camera, {"V"}, {}, {}};
+    params.view.layout = {ViewName::camera, {"V"}, {}, {}};
     const LayoutParams chosen = params.view.layout;
     desk.session.open("tilted-plane");
     desk.settle();

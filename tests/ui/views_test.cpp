@@ -157,7 +157,7 @@ TEST_F(ViewsTest, HandlesAlsoWorkInTheObserver) {
 TEST_F(ViewsTest, MaximizingTheObserverReleasesItsHandle) {
     ui.hover("left/observer/observer view");
     desk.press(Key::m);
-    ASSERT_EQ(desk.params().view.layout.big, BigView::lower_left);
+    ASSERT_EQ(desk.params().view.layout.big, ViewName::lower_left);
     desk.drag_from(desk.in_observer_view(light()), 25.0F, -15.0F);
     const Params before = params;
     const Rect rect = desk.layout().lower_left;

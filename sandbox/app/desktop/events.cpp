@@ -17,11 +17,11 @@
 namespace viewing {
 namespace {
 
-struct KeyName {
+struct GlfwKey {
     int glfw;
     Key key;
 };
-constexpr KeyName key_names[] = {{GLFW_KEY_W, Key::w},
+constexpr GlfwKey glfw_keys[] = {{GLFW_KEY_W, Key::w},
                                  {GLFW_KEY_A, Key::a},
                                  {GLFW_KEY_S, Key::s},
                                  {GLFW_KEY_D, Key::d},
@@ -96,7 +96,7 @@ constexpr KeyName key_names[] = {{GLFW_KEY_W, Key::w},
                                  {GLFW_KEY_ESCAPE, Key::escape}};
 
 std::optional<Key> key_of(int glfw_key) {
-    for (const KeyName& name : key_names)
+    for (const GlfwKey& name : glfw_keys)
         if (name.glfw == glfw_key) return name.key;
     return std::nullopt;
 }

@@ -11,69 +11,25 @@
 
 namespace viewing {
 
-enum class Key {
-    w,
-    a,
-    s,
-    d,
-    q,
-    e,
-    r,
-    f,  // motion
-    left,
-    right,
-    up,
-    down,  // rotation
-    shift,
-    ctrl,
-    alt,
-    super,
-    m,
-    c,
-    v,
-    z,
-    y,
-    o,
-    b,
-    n,
-    p,
-    plus,
-    minus,
-    zero,
-    page_up,
-    page_down,
-    g,
-    l,
-    x,
-    home,
-    h,
-    i,
-    t,
-    one,
-    two,
-    three,
-    four,
-    five,
-    six,
-    seven,
-    eight,
-    nine,
-    space,
-    backspace,
-    enter,
-    period,
-    comma,
-    f1,
-    f2,
-    f3,
-    f5,
-    f6,
-    f9,
-    f11,
-    f12,
-    escape,
-    count
-};
+// clang-format off
+/// Applies KEY to each key and the name that the window shows.
+#define VIEWING_KEYS(KEY) \
+    KEY(w, "W") KEY(a, "A") KEY(s, "S") KEY(d, "D") KEY(q, "Q") KEY(e, "E") KEY(r, "R") KEY(f, "F") \
+    KEY(left, "Left") KEY(right, "Right") KEY(up, "Up") KEY(down, "Down") KEY(shift, "Shift") KEY(ctrl, "Ctrl") \
+    KEY(alt, "Alt") KEY(super, "Super") KEY(m, "M") KEY(c, "C") KEY(v, "V") KEY(z, "Z") KEY(y, "Y") KEY(o, "O") \
+    KEY(b, "B") KEY(n, "N") KEY(p, "P") KEY(plus, "plus") KEY(minus, "minus") KEY(zero, "0") KEY(page_up, "Page up") \
+    KEY(page_down, "Page down") KEY(g, "G") KEY(l, "L") KEY(x, "X") KEY(home, "Home") KEY(h, "H") KEY(i, "I") \
+    KEY(t, "T") KEY(one, "1") KEY(two, "2") KEY(three, "3") KEY(four, "4") KEY(five, "5") KEY(six, "6") \
+    KEY(seven, "7") KEY(eight, "8") KEY(nine, "9") KEY(space, "Space") KEY(backspace, "Backspace") \
+    KEY(enter, "Enter") KEY(period, ".") KEY(comma, ",") KEY(f1, "F1") KEY(f2, "F2") KEY(f3, "F3") KEY(f5, "F5") \
+    KEY(f6, "F6") KEY(f9, "F9") KEY(f11, "F11") KEY(f12, "F12") KEY(escape, "Esc")
+#define VIEWING_KEY(key, text) key,
+#define VIEWING_KEY_TEXT(key, text) text,
+enum class Key { VIEWING_KEYS(VIEWING_KEY) count };
+// clang-format on
+
+inline constexpr PerEnum<Key, const char*, static_cast<std::size_t>(Key::count)> key_names{
+    {VIEWING_KEYS(VIEWING_KEY_TEXT)}};
 
 /// A key press with the modifiers held at that time; by the next frame, they may have been released.
 struct KeyPress {

@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include "state/view_params.h"
+
 namespace viewing {
 
 struct Rect {
@@ -18,8 +20,6 @@ struct Rect {
         return point.x >= min.x && point.y >= min.y && point.x < max.x && point.y < max.y;
     }
 };
-
-enum class ViewName { none, camera, lower_left, lower_right, matrices };
 
 /// The small parts that the state lists. Beside a maximized view they form a column at the right, with the matrices
 /// above the controls; otherwise they are in the usual columns. Unlisted parts are hidden.

@@ -16,7 +16,7 @@ void show_topic(Topic topic, Params& params, ViewState& views, const Layout& lay
     const Slot slot = topic_of(params, Slot::left) == topic ? Slot::left : Slot::right;
     const bool is_hidden = (slot == Slot::left ? layout.lower_left : layout.lower_right).empty();
     if (!is_hidden) return;
-    params.view.layout.big = BigView::none;
+    params.view.layout.big = ViewName::none;
     views.lower = LowerChoice{slot, params.view.lower_left, params.view.lower_right};
 }
 

@@ -67,10 +67,11 @@ void look_along(Workbench&, Context context) {
     context.session.look_along(axis);
 }
 
-/// Maximizes the view under the pointer, or shows all views again.
+/// Maximizes the view under the pointer, otherwise the camera's, or shows all views again.
 void toggle_big(Workbench& window, Context context) {
-    BigView& big = context.session.params.view.layout.big;
-    big = big == BigView::none ? big_view(window.views.hovered) : BigView::none;
+    ViewName& big = context.session.params.view.layout.big;
+    const ViewName hovered = window.views.hovered;
+    big = big != ViewName::none ? ViewName::none : hovered == ViewName::none ? ViewName::camera : hovered;
 }
 
 /// Takes back the first of these that there is: the lesson's end, a replay, a maximized view, a followed point.
@@ -80,8 +81,8 @@ void take_back(Workbench& window, Context context) {
         window.guide.previous(session);
     else if (window.replay.is_playing())
         window.replay.stop();
-    else if (session.params.view.layout.big != BigView::none)
-        session.params.view.layout.big = BigView::none;
+    else if (session.params.view.layout.big != ViewName::none)
+        session.params.view.layout.big = ViewName::none;
     else
         session.params.follow.reset();
 }
@@ -217,51 +218,7 @@ const WindowCommand* command_of(const KeyPress& press, Place place) {
 
 std::string key_text(const std::optional<KeyPress>& press) {
     if (!press) return "";
-    struct Name {
-        Key key;
-        const char* text;
-    };
-    static constexpr Name names[] = {
-        {Key::page_up, "Page up"},
-        {Key::page_down, "Page down"},
-        {Key::home, "Home"},
-        {Key::escape, "Esc"},
-        {Key::plus, "plus"},
-        {Key::minus, "minus"},
-        {Key::zero, "0"},
-        {Key::comma, ","},
-        {Key::f1, "F1"},
-        {Key::f2, "F2"},
-        {Key::f3, "F3"},
-        {Key::f5, "F5"},
-        {Key::f6, "F6"},
-        {Key::f9, "F9"},
-        {Key::f11, "F11"},
-        {Key::f12, "F12"},
-        {Key::b, "B"},
-        {Key::c, "C"},
-        {Key::g, "G"},
-        {Key::h, "H"},
-        {Key::i, "I"},
-        {Key::l, "L"},
-        {Key::m, "M"},
-        {Key::n, "N"},
-        {Key::o, "O"},
-        {Key::p, "P"},
-        {Key::s, "S"},
-        {Key::t, "T"},
-        {Key::v, "V"},
-        {Key::x, "X"},
-        {Key::y, "Y"},
-        {Key::z, "Z"},
-        {Key::q, "Q"},
-        {Key::space, "Space"},
-        {Key::period, "."},
-        {Key::backspace, "Backspace"},
-    };
-    const auto* const name = std::find_if(std::begin(names), std::end(names),
-                                          [&](const Name& candidate) { return candidate.key == press->key; });
-    return std::string(press->ctrl ? "Ctrl+" : "") + (press->shift ? "Shift+" : "") + name->text;
+    return std::string(press->ctrl ? "Ctrl+" : "") + (press->shift ? "Shift+" : "") + key_names[press->key];
 }
 
 }  // namespace viewing

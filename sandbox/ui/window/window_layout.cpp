@@ -4,7 +4,6 @@
 #include <array>
 
 #include "state/fields.h"
-#include "text/per_enum.h"
 #include "topics/matrices/shown/display_code_view.h"
 #include "topics/matrices/shown/followed_point.h"
 #include "ui/views/lower_view.h"
@@ -61,17 +60,9 @@ void fold(Params& params, std::string_view column, bool folded) {
     std::sort(all.rbegin(), all.rend());  // in the state file's order: panel, matrices
 }
 
-BigView big_view(ViewName hovered) {
-    static constexpr auto views = per_enum<ViewName>(BigView::camera, BigView::camera, BigView::lower_left,
-                                                     BigView::lower_right, BigView::matrices);
-    return views[hovered];
-}
-
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices) {
-    static constexpr auto views = per_enum<BigView>(ViewName::none, ViewName::camera, ViewName::lower_left,
-                                                    ViewName::lower_right, ViewName::matrices);
     const LayoutParams& layout = params.view.layout;
-    arrangement.maximized = views[layout.big];
+    arrangement.maximized = layout.big;
     Telling& telling = arrangement.telling;
     telling.matrices = static_cast<int>(matrices.size());
     constexpr float with_numbers = 147.0F, with_symbols = 230.0F, heading = 40.0F, line = 20.0F;

@@ -20,9 +20,6 @@ void fold(Params& params, std::string_view column, bool folded);
 /// Height of the lamps for the degrees of freedom, in rows of the panel.
 constexpr int rows_of_lamps = 2;
 
-/// Returns the view that the key M enlarges: the one under the pointer, otherwise the camera's.
-BigView big_view(ViewName hovered);
-
 /// Copies the state's layout into the arrangement. `matrices`: those to show beside a large view.
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices);
 

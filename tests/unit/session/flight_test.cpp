@@ -109,7 +109,7 @@ TEST(Replay, EndsWhenTheUserChangesSomething) {
     replay.update(session, 0.0);
     replay.update(session, 0.6);
     session.params.ui.theme = Theme::projector;
-    session.params.view.layout.big = BigView::camera;
+    session.params.view.layout.big = ViewName::camera;
     replay.update(session, 0.1);
     EXPECT_TRUE(replay.is_playing()) << "appearance and layout do not count as a change";
     session.params.camera.pitch = 5.0;

@@ -75,7 +75,7 @@ TEST(State, ReadsEveryKindOfField) {
     EXPECT_EQ(params.view.samples, 0);
     EXPECT_EQ(params.view.pin, (Pin{"torus", glm::dvec2(0.25, 1.0)}));
     EXPECT_EQ(params.view.layout,
-              (LayoutParams{BigView::lower_left, {"display", "V"}, {"camera", "projection.near"}, {"panel"}}));
+              (LayoutParams{ViewName::lower_left, {"display", "V"}, {"camera", "projection.near"}, {"panel"}}));
 }
 
 /// Returns the state file that the golden list describes: a line for each field with its default, inside its groups.
