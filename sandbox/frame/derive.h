@@ -16,7 +16,7 @@ namespace viewing {
 struct Viewport {
     glm::ivec2 size_px{1280, 720};
     bool clip_control = true;  ///< the driver has glClipControl, which reversed depth needs
-    /// The depth format as the driver stores it; none if it was not measured (render/driver_depth_test.h).
+    /// The depth format as the driver stores it; none if it was not measured (render/stored_depth.h).
     std::optional<StoredDepth> stored_depth{};
 
     double aspect() const { return size_px.y > 0 ? static_cast<double>(size_px.x) / size_px.y : 1.0; }

@@ -1,5 +1,5 @@
 // A driver's implementation of the depth formats: GL does not define how many bits a format has or how large a unit of
-// glPolygonOffset is. See render/driver_depth_test.h for the measurement.
+// glPolygonOffset is. See render/stored_depth.h for the measurement.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,6 @@
 #include "frame/plan/draw_calls.h"
 #include "geometry/shapes.h"
 #include "gl/dialect.h"
-#include "render/driver_depth_test.h"
 #include "render/gpu_drawing.h"
 #include "render/gpu_mesh.h"
 #include "render/masks.h"
@@ -18,6 +17,7 @@
 #include "render/present.h"
 #include "render/shared_tests.h"
 #include "render/sight.h"
+#include "render/stored_depth.h"
 #include "render/surface_uniforms.h"
 
 namespace viewing {

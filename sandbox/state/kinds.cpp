@@ -2,9 +2,9 @@
 // value, says what is allowed, and makes the schema; how a value is written; and how a value is clamped and blended.
 // Code that needs a window or a random generator is elsewhere, with an overload for each type:
 // ui/parts/field_controls.cpp draws the controls, and the tests' random_params.h makes random values.
-#include "state/kinds/choices.h"
-#include "state/kinds/matrices.h"
-#include "state/kinds/objects.h"
+#include "state/kinds/choice_kinds.h"
+#include "state/kinds/matrix_kinds.h"
+#include "state/kinds/object_kinds.h"
 
 namespace viewing {
 namespace {

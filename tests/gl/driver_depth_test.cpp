@@ -5,8 +5,8 @@
 #include <set>
 
 #include "gl_test.h"
-#include "render/driver_depth_test.h"
 #include "render/probe.h"
+#include "render/stored_depth.h"
 
 namespace viewing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "lesson/exercise.h"
 #include "text/catalogue.h"
-#include "ui/lesson/page.h"
+#include "ui/lesson/full_page.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 

@@ -10,7 +10,7 @@
 #include "lesson/questions/typed_matrix.h"
 #include "text/catalogue.h"
 #include "text/words.h"
-#include "ui/lesson/page.h"
+#include "ui/lesson/full_page.h"
 #include "ui/parts/look.h"
 
 namespace viewing {

@@ -5,8 +5,8 @@
 
 #include "text/catalogue.h"
 #include "text/words.h"
+#include "ui/lesson/full_page.h"
 #include "ui/lesson/lesson_text.h"
-#include "ui/lesson/page.h"
 #include "ui/parts/look.h"
 
 namespace viewing {

@@ -7,7 +7,7 @@
 #include "platform/text_file.h"
 #include "text/catalogue.h"
 #include "text/words.h"
-#include "ui/lesson/page.h"
+#include "ui/lesson/full_page.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
 

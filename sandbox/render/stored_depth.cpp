@@ -1,4 +1,4 @@
-#include "render/driver_depth_test.h"
+#include "render/stored_depth.h"
 
 #include <cmath>
 

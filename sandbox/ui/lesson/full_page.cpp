@@ -1,4 +1,4 @@
-#include "ui/lesson/page.h"
+#include "ui/lesson/full_page.h"
 
 #include <algorithm>
 

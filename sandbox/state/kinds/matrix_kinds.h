@@ -1,7 +1,7 @@
 // The kinds of matrices that a person enters by hand: those of the first plane and light, and the others.
 #pragma once
 
-#include "state/kinds/vectors.h"
+#include "state/kinds/vector_kinds.h"
 
 namespace viewing::kinds {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "state/file/beside.h"
-#include "state/kinds/vectors.h"
+#include "state/kinds/vector_kinds.h"
 
 namespace viewing::kinds {
 

@@ -1,7 +1,7 @@
 // The kinds with a fixed number of components: points, lights, planes, colors, pixels and pairs of depths.
 #pragma once
 
-#include "state/kinds/numbers.h"
+#include "state/kinds/number_kinds.h"
 
 namespace viewing::kinds {
 
