@@ -1,8 +1,8 @@
 // The language of the window. The window's own texts come from assets/text/CODE.po, and those of lessons from the
-// lesson files. A new language needs an enumerator of Language, its code in fields.cpp, its name in own_name() and a
-// higher language_count below, and a .po file; if its script is not Latin, it also needs a font in ui/window/fonts.cpp.
+// lesson files. CONTRIBUTING.md says what a new language needs.
 #pragma once
 
+#include <iterator>
 #include <string_view>
 
 #include "state/fields.h"
@@ -10,12 +10,9 @@
 
 namespace viewing {
 
-inline constexpr std::size_t language_count = 2;
-
-/// Returns the language's name in that language.
-constexpr const char* own_name(Language language) {
-    return language == Language::ko ? "한국어" : "English";
-}
+/// The languages' own names, in the order of Language.
+inline constexpr const char* language_names[] = {"English", "한국어"};
+inline constexpr std::size_t language_count = std::size(language_names);
 
 /// Sets the language of all texts looked up from now on. If its file cannot be read, the texts are English, and the
 /// returned error says why in one sentence; a text without a translation appears in English.

@@ -1,5 +1,6 @@
-// How the user answers each kind of question in the window. Each kind of VIEWING_QUESTION_KINDS has an entry in
-// answers.cpp. lesson/questions/question_kind.h has the part of each kind that does not depend on the window.
+// How the user answers each kind of question in the window. Each kind of VIEWING_QUESTION_KINDS has an entry,
+// most of them in answers.cpp. lesson/questions/question_kind.h has the part of each kind that does not depend on the
+// window.
 #pragma once
 
 #include "ui/lesson/answers.h"

@@ -192,9 +192,8 @@ void TopBar::draw_look_menu(Workbench& window, Params& params, Requests& request
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))
         requests.chosen_theme = params.ui.theme;
-    window.korean.want(own_name(Language::ko));
-    static constexpr const char* languages[] = {own_name(Language::en), own_name(Language::ko)};
-    if (control(params, "ui.language", {.segments = true, .names = languages, .label = "##language"}))
+    for (const char* const name : language_names) window.korean.want(name);
+    if (control(params, "ui.language", {.segments = true, .names = language_names, .label = "##language"}))
         requests.chosen_language = params.ui.language;
     // The scale resizes the whole window, including this slider, so apply it only on release.
     Params scaled = params;

@@ -105,8 +105,8 @@ TEST(SystemLanguage, IsTheFirstVariableSetOrEnglish) {
 
 TEST(Languages, HaveTheirOwnNames) {
     ASSERT_EQ(names_of<Language>().size(), language_count);
-    EXPECT_STREQ(own_name(Language::en), "English");
-    EXPECT_STREQ(own_name(Language::ko), "한국어");
+    EXPECT_STREQ(language_names[static_cast<std::size_t>(Language::en)], "English");
+    EXPECT_STREQ(language_names[static_cast<std::size_t>(Language::ko)], "한국어");
 }
 
 }  // namespace
