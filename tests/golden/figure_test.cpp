@@ -122,8 +122,11 @@ TEST_F(FigureTest, EmptyOrTooSmallViewsAreReported) {
     const auto trouble = [](const Result<Image>& image) { return image ? std::string("drawn") : image.error(); };
     EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::tree, usual_px, std::nullopt})),
               "the view tree has nothing to show: Only the BSP tree method has a tree to show.");
-    EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::pixel, usual_px, std::nullopt})),
-              "the view pixel needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]");
+    for (const auto& [view, name] :
+         {std::pair{PictureView::pixel, "pixel"}, {PictureView::cells, "cells"}, {PictureView::why, "why"}})
+        EXPECT_EQ(
+            trouble(image_of(state_with({}), {view, usual_px, std::nullopt})),
+            std::string("the view ") + name + " needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]");
     // The picture really fits in the size that the message names.
     const std::string small = trouble(image_of(state_with({}), {PictureView::passes, {700, 320}, std::nullopt}));
     const std::string before = "it fits in 700x";

@@ -265,6 +265,19 @@ TEST_F(ViewsTest, ThreeSentencesAreToldAtOnceAndAClickTellsTheOthers) {
     EXPECT_FALSE(ui.has("view/other sentences"));
 }
 
+TEST(SmallWindow, SentencesLeaveTheLowerHalfOfThePictureFree) {
+    Desk desk({800, 600}, "room");  // two sentences of two lines
+    const Rect camera = desk.layout().camera;
+    const float middle = 0.5F * (camera.min.y + camera.max.y);
+    EXPECT_LT(desk.ui.find("view/other sentences").max.y, middle);
+    desk.click("view/other sentences");
+    desk.ui.frames(2);
+    EXPECT_GT(desk.ui.find("view/other sentences").max.y, middle) << "both are shown";
+    desk.click("view/other sentences");
+    desk.ui.frames(2);
+    EXPECT_LT(desk.ui.find("view/other sentences").max.y, middle);
+}
+
 TEST_F(ViewsTest, ABrokenSwitchCanBeFixedOverThePicture) {
     params.shadow.stencil_once = false;
     desk.settle();

@@ -212,10 +212,11 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     bool& is_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("all sentences"), false);
     const std::size_t shown = is_open ? told_ones.size() : std::min(most, told_ones.size());
     // If all sentences are open, leave space for the button that closes them.
-    const float last = is_open ? rect.max.y - px(90.0F) : (rect.min.y + rect.max.y) * 0.5F;
+    const float middle = (rect.min.y + rect.max.y) * 0.5F, last = is_open ? rect.max.y - px(90.0F) : middle;
     float top = first, height = 0.0F;  // assumes that the next sentence is as tall as the one before
-    std::size_t fitting = 0;
+    std::size_t fitting = 0, usual = 0;
     while (fitting < shown && top + height < last) {
+        if (fitting < most && top + height < middle) usual = fitting + 1;
         const float next = tell_why(session, *told_ones[fitting], rect, top);
         if (next == top) break;
         height = next - top;
@@ -223,7 +224,7 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
         ++fitting;
     }
     if (top == first) return {};
-    const bool closes = is_open && told_ones.size() > most;
+    const bool closes = is_open && usual < fitting;
     if ((closes || fitting < told_ones.size()) && top + px(24.0F) < rect.max.y) {
         ImGui::SetCursorScreenPos({rect.min.x + px(20.0F), top - px(4.0F)});
         const std::string label = closes ? tr("Fewer") : say("{count} more", "count"_a = told_ones.size() - fitting);
