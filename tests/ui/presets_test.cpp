@@ -267,8 +267,12 @@ TEST_F(PresetsTest, CtrlZWorksWhileAListIsOpen) {
 }
 
 TEST(PresetSearch, FindsWordsOfTitleSentenceNameAndTopicInAnyOrder) {
-    const NamedFile preset{"shadow-anti", "Anti-shadow", "Behind the light.", "Shadow", "", {}};
-    for (const char* search : {"", "anti", "ANTI light", "light behind", "shadow", " anti  "})
+    NamedFile preset;
+    preset.name = "anti-1";
+    preset.title = "Anti-shadow";
+    preset.about = "Behind the light.";
+    preset.group = "Shadow";
+    for (const char* search : {"", "anti", "ANTI light", "light behind", "shadow", " anti  ", "anti-1 shadow"})
         EXPECT_TRUE(is_found(preset, search)) << search;
     for (const char* search : {"mirror", "anti mirror"}) EXPECT_FALSE(is_found(preset, search)) << search;
 }

@@ -35,7 +35,9 @@ std::vector<const NamedFile*> found_by(std::span<const NamedFile> presets, const
 /// empty.
 const NamedFile& best_of(const std::vector<const NamedFile*>& found, const std::string& search) {
     const auto best = std::find_if(found.begin(), found.end(), [&](const NamedFile* preset) {
-        return is_found({"", preset->title, "", "", "", {}}, search);
+        NamedFile only_titled;
+        only_titled.title = preset->title;
+        return is_found(only_titled, search);
     });
     return best == found.end() ? *found.front() : **best;
 }
