@@ -376,7 +376,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_matrices_text() {
 
 /// Returns the code of the window's language, such as "en".
 EMSCRIPTEN_KEEPALIVE const char* page_language() {
-    return given(names_of<Language>()[static_cast<std::size_t>(spoken_language())]);
+    return given(std::string(name_of(spoken_language())));
 }
 
 /// Returns 1 once everything requested is on screen. A blinking caret or a running clock does not matter.

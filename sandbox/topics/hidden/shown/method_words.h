@@ -1,19 +1,18 @@
-// The names of the methods' options, for choices and sentences. Each list is in the order of its enumeration.
+// The names of the methods' options, for choices and sentences.
 #pragma once
 
 #include "text/catalogue.h"
+#include "text/per_enum.h"
+#include "topics/hidden/methods/choices.h"
 
 namespace viewing {
 
-/// In the order of PainterKey.
-inline constexpr const char* sort_key_names[] = {marked("nearest vertex"), marked("farthest vertex"),
-                                                 marked("centroid")};
+inline constexpr auto sort_key_names =
+    per_enum<PainterKey>(marked("nearest vertex"), marked("farthest vertex"), marked("centroid"));
 
-/// In the order of BspSplitter.
-inline constexpr const char* splitter_names[] = {marked("first"), marked("random"), marked("fewest splits"),
-                                                 marked("balanced")};
+inline constexpr auto splitter_names =
+    per_enum<BspSplitter>(marked("first"), marked("random"), marked("fewest splits"), marked("balanced"));
 
-/// In the order of BspOrder.
-inline constexpr const char* walk_names[] = {marked("back to front"), marked("front to back")};
+inline constexpr auto walk_names = per_enum<BspOrder>(marked("back to front"), marked("front to back"));
 
 }  // namespace viewing

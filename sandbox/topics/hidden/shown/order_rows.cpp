@@ -58,7 +58,7 @@ std::string OrderRows::detail_of(int fragment) const {
 }
 
 const char* OrderRows::detail_title() const {
-    if (result_.painter) return sort_key_names[static_cast<std::size_t>(result_.painter->key)];
+    if (result_.painter) return sort_key_names[result_.painter->key];
     if (newell_step_) return marked("pair");
     return result_.tree ? marked("node, eye side") : "";
 }

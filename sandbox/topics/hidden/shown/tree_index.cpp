@@ -91,7 +91,7 @@ std::string tree_sentence(const HiddenResult& result) {
         "fragments"_a =
             say_count(static_cast<std::int64_t>(tree.fragments.size()), "{count} fragment", "{count} fragments"),
         "splits"_a = say_count(tree.counters.splits, "{count} split", "{count} splits"),
-        "splitter"_a = tr(splitter_names[static_cast<std::size_t>(result.request.visibility.splitter)]));
+        "splitter"_a = tr(splitter_names[result.request.visibility.splitter]));
     if (result.step < 0) return whole;
     if (result.built_nodes < nodes)
         return say("{tree}; nodes built so far: {count}", "tree"_a = whole,
