@@ -21,7 +21,8 @@ HeatMap map_of(const std::vector<std::string>& settings, const Scene& scene = {}
 /// The onset at a distance, interpolated like the shader does: its logarithm is linear between the entries.
 double onset_at(const HeatMap& map, double distance) {
     const double range = std::log(map.far / map.near);
-    const double share = range > 0.0 ? std::clamp(std::log(distance / map.near) / range, 0.0, 1.0) : 0.0;
+    const double share =
+        range > 0.0 ? std::clamp(std::log(std::max(distance, map.near) / map.near) / range, 0.0, 1.0) : 0.0;
     const double place = share * static_cast<double>(HeatMap::entry_count - 1);
     const auto entry = std::min(static_cast<std::size_t>(place), HeatMap::entry_count - 2);
     return std::exp(
