@@ -80,11 +80,12 @@ LessonFile glance_at(const fs::path& path) {
     if (!text) return file;
     // Make the forms only once: the window's start page reads every lesson's file in this way.
     static const form::Form<LessonText> question = text_form(false);
+    static const form::Form<std::vector<int>> slides = form::slides();
     static const Object<LessonFile> glance = Object<LessonFile>()
                                                  .optional("id", form::name(), &LessonFile::id)
                                                  .optional("title", text_form(false), &LessonFile::title)
                                                  .optional("group", group_form(), &LessonFile::group)
-                                                 .optional("slides", form::slides(), &LessonFile::slides)
+                                                 .optional("slides", slides, &LessonFile::slides)
                                                  .optional("needs", names_form(), &LessonFile::needs)
                                                  .optional("minutes", form::whole(1, 600), &LessonFile::minutes);
     const auto read = guarded([&] {
@@ -100,7 +101,7 @@ LessonFile glance_at(const fs::path& path) {
         for (std::size_t i = 0; i < file.listed_steps.size(); ++i) {
             const Json& step = document["steps"][i];
             LessonFile::Step& listed = file.listed_steps[i];
-            if (has(step, "slides")) listed.slides = form::slides().read(step["slides"], root);
+            if (has(step, "slides")) listed.slides = slides.read(step["slides"], root);
             if (has(step, "ask") && has(step["ask"], "question"))
                 listed.question = question.read(step["ask"]["question"], root);
         }

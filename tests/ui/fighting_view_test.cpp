@@ -71,6 +71,10 @@ protected:
         return std::ranges::any_of(
             context.recorded, [part](const RecordedItem& item) { return item.label.find(part) != std::string::npos; });
     }
+    bool is_found(const std::string& name) const {
+        return std::ranges::find(context.targets.found, name, &widgets::Targets::Found::name) !=
+               context.targets.found.end();
+    }
 };
 
 TEST_F(FightingView, CoveredColumnsAndTheirHintsShowNothing) {
@@ -94,10 +98,7 @@ TEST_F(FightingView, EveryColumnIsFoundByName) {
          {"pair", "z", "gap", "step", "safe_gap", "predicted", "trembling", "counted", "wrong_pixels"})
         names.push_back(std::string("column:fighting.") + name);
     ui.frames(3);
-    const auto& found = context.targets.found;
-    for (const std::string& name : names)
-        EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& target) { return target.name == name; }))
-            << name;
+    for (const std::string& name : names) EXPECT_TRUE(is_found(name)) << name;
 }
 
 TEST_F(FightingView, SaysThatItCountsBeforeTheFirstResult) {
@@ -172,10 +173,6 @@ TEST_F(FightingView, SaysWhatIsStillBeingCounted) {
 /// A lesson must not frame a column that is not drawn.
 TEST_F(FightingView, KeepsTheColumnThatALessonNames) {
     make_report();
-    const auto is_found = [this](const std::string& name) {
-        return std::ranges::find(context.targets.found, name, &widgets::Targets::Found::name) !=
-               context.targets.found.end();
-    };
     for (const char* name : {"column:fighting.step", "column:fighting.gap", "column:fighting.predicted"})
         for (float width = 330.0F; width <= 700.0F; width += 37.0F) {
             rect = {{20, 20}, {20 + width, 250}};

@@ -210,15 +210,14 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     if (widgets::IsCovered("sentences")) return {};
     const std::vector<const Problem*> told_ones = told_problems(problems, session.params);
     bool& is_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("all sentences"), false);
-    const std::size_t shown = is_open ? told_ones.size() : std::min(most, told_ones.size());
     const float middle = (rect.min.y + rect.max.y) * 0.5F;
     float top = first, height = 0.0F;  // assumes that the next sentence is as tall as the one before
     std::size_t fitting = 0, usual = 0;
-    while (fitting < shown) {
+    while (fitting < told_ones.size()) {
         const bool is_usual = fitting < most && top + height < middle;
         // If all sentences are open, leave space for the button that closes them.
         if (is_open ? top >= rect.max.y - px(90.0F) : !is_usual) break;
-        if (is_usual) usual = fitting + 1;
+        if (is_usual && usual == fitting) ++usual;
         const float next = tell_why(session, *told_ones[fitting], rect, top);
         if (next == top) break;
         height = next - top;

@@ -96,10 +96,29 @@ TEST(HeatMap, GivesEachObjectItsSmallestGap) {
     EXPECT_NEAR(std::abs(map.gap_of_object[0]->normal_view.z), 1.0, 1e-9) << "seen from above";
 }
 
+/// The color of a ratio, interpolated like the shader does; a negative ratio counts as 0.
+Color heat_color(double ratio) {
+    const double place = ratio < 1.0 ? 2.0 * std::max(ratio, 0.0) : 3.0 + std::min(std::log2(ratio), 2.0);
+    const auto first = std::min(static_cast<std::size_t>(place), ratio < 1.0 ? std::size_t{1} : std::size_t{4});
+    const Color &a = heat_colors[first], &b = heat_colors[first + 1];
+    const auto mixed = [share = place - static_cast<double>(first)](double from, double to) {
+        return static_cast<std::uint8_t>(std::lround(std::lerp(from, to, share)));
+    };
+    return {mixed(a.r, b.r), mixed(a.g, b.g), mixed(a.b, b.b)};
+}
+
 TEST(HeatMap, ColorsIncreaseInLightness) {
-    for (std::size_t i = 1; i < heat_colors.size(); ++i)
-        EXPECT_GT(lightness(heat_colors[i]), lightness(heat_colors[i - 1])) << i;
-    EXPECT_GT(lightness(heat_colors[3]), lightness(heat_colors[2]) + 0.05) << "a clear edge where fighting begins";
+    double before = 0.0;
+    for (const double ratio : {0.0, 0.2, 0.5, 0.7, 0.99, 1.0, 1.5, 2.0, 3.0, 4.0}) {
+        const double now = lightness(heat_color(ratio));
+        EXPECT_GT(now, before) << ratio;
+        before = now;
+    }
+    EXPECT_EQ(heat_color(4.0), heat_color(1e9));
+    EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
+    EXPECT_EQ(heat_color(0.5), heat_colors[1]);
+    EXPECT_EQ(heat_color(2.0), heat_colors[4]);
+    EXPECT_GT(lightness(heat_color(1.0)), lightness(heat_color(0.9999)) + 0.05) << "a clear edge where fighting begins";
 }
 
 }  // namespace

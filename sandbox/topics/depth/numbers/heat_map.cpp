@@ -6,6 +6,7 @@
 #include "topics/depth/numbers/fighting.h"
 
 namespace viewing {
+
 double HeatMap::distance_of(std::size_t entry) const {
     return near * std::pow(far / near, static_cast<double>(entry) / static_cast<double>(entry_count - 1));
 }
