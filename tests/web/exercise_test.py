@@ -22,7 +22,7 @@ class Exercise(student.Student, browser.Test):
         self.page.open()
         self.page.js("localStorage.clear()")  # as another student's browser
         self.open_exercise()
-        self.page.click("lesson strip/answers/answer/r0c0", count=2)
+        self.page.double_click("lesson strip/answers/answer/r0c0")
         kept = self.page.js("""(() => {
             const typed = document.getElementById('typed');
             typed.value = '7.125';
