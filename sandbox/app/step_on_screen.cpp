@@ -8,10 +8,10 @@
 
 namespace viewing {
 
-LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step, Renderer& renderer) {
+LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step, const Measurer& measurer) {
     if (step.only_shows() || kind_of(step.ask).is_on_screen) return {};
     const auto found = [&](const std::string& what) { return lesson_id + ", step " + step.id + ": " + what; };
-    const Result<Surroundings> numbers = numbers_of(step.start, step.start.params, &renderer);
+    const Result<Surroundings> numbers = numbers_of(step.start, step.start.params, measurer);
     const Result<Answer> right = numbers ? model_answer(step.ask, *numbers) : Result<Answer>(Error{numbers.error()});
     if (!right) return {};  // check_step reports the error
 
@@ -27,7 +27,7 @@ LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step
     if (!scene) return {};
     const Language spoken = spoken_language();  // the window sets its state's language
     LessonFindings findings;
-    RestingWindow window(renderer, state, *scene);
+    RestingWindow window(*measurer.renderer(), state, *scene);
     if (const Status rests = window.rest(request); !rests) findings.push_back(found(rests.error()));
     for (const std::string& sentence : seen_answers(step, *right, window.texts())) findings.push_back(found(sentence));
     if (const Status back = speak(spoken); !back) findings.push_back(found(back.error()));

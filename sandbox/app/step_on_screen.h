@@ -6,7 +6,7 @@
 namespace viewing {
 
 /// Returns a finding for each part of the answer that is visible in the window, outside the strip with the question
-/// (seen_answers). Needs a current context. The window is in English.
-LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step, Renderer& renderer);
+/// (seen_answers). Needs a renderer and its current context. The window is in English.
+LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step, const Measurer& measurer);
 
 }  // namespace viewing

@@ -133,6 +133,7 @@ LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, H
 
 ExitStatus test(const std::vector<Exercise>& exercises, const std::string& device) {
     Headless headless(device);
+    const Measurer measurer(&headless.renderer());
     const bool is_english = spoken_language() == Language::en;
     std::string lines;
     std::int64_t variants = 0, failures = 0;
@@ -141,11 +142,11 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
         int wrong_answers = 0;
         std::int64_t failed = 0;
         for (std::size_t variant = 0; variant < exercise.variants.size(); ++variant) {
-            VariantCheck check = check_variant(exercise, variant, headless.renderer());
+            VariantCheck check = check_variant(exercise, variant, measurer);
             if (exercise.visible_px > 0 && check.findings.empty())
                 check.findings = check_visible(exercise, *check.step, headless);
             if (is_english && check.findings.empty())  // check_screen() searches English texts
-                check.findings = check_screen(exercise.id, *check.step, headless.renderer());
+                check.findings = check_screen(exercise.id, *check.step, measurer);
             headless.require_no_errors();
             for (const std::string& finding : check.findings) found += finding + "\n";
             wrong_answers += check.wrong_answers;

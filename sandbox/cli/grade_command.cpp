@@ -164,7 +164,7 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
 
     give_large_blocks_back();
     Headless headless(device_option(options, typed.device));
-    Grader grader(std::move(exercises), headless.renderer());
+    Grader grader(std::move(exercises), &headless.renderer());
     grader.also_know(std::move(known));
     grader.stop_when(TimeLimit::has_run_out, "--timeout expired");
     const std::vector<StudentGrade> grades = graded(typed, found, grader);

@@ -83,14 +83,14 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
         throw Failure(ExitStatus::bad_input, "lesson --check: " + counted(std::ssize(broken), "mistake"));
     }
     Headless headless(device);
+    const Measurer measurer(&headless.renderer());
     std::string findings;
     std::int64_t steps = 0;
     for (const Lesson& lesson : read) {
         for (const LessonStep& step : lesson.steps) {
-            for (const std::string& found : check_step(lesson, step, headless.renderer())) findings += found + "\n";
+            for (const std::string& found : check_step(lesson, step, measurer)) findings += found + "\n";
             for (const std::string& found : draw_step(lesson, step, headless)) findings += found + "\n";
-            for (const std::string& found : check_screen(lesson.id, step, headless.renderer()))
-                findings += found + "\n";
+            for (const std::string& found : check_screen(lesson.id, step, measurer)) findings += found + "\n";
             headless.require_no_errors();
         }
         steps += std::ssize(lesson.steps);

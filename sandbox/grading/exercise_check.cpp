@@ -20,7 +20,7 @@ Result<Attempt> handed_in(const Attempt& attempt) {
 
 class AnswerCheck {
 public:
-    AnswerCheck(const LessonStep& step, Renderer& renderer) : step_(step), renderer_(renderer) {}
+    AnswerCheck(const LessonStep& step, const Measurer& measurer) : step_(step), measurer_(measurer) {}
 
     LessonFindings all() {
         const Ask& ask = step_.ask;
@@ -29,7 +29,7 @@ public:
             for (const WrongAnswer& wrong : ask.wrong) expect(goal(wrong.settings), "a wrong answer", wrong.say, false);
             return findings_;
         }
-        const Result<Surroundings> numbers = numbers_of(step_.start, step_.start.params, &renderer_);
+        const Result<Surroundings> numbers = numbers_of(step_.start, step_.start.params, measurer_);
         const Result<Answer> model = numbers ? model_answer(ask, *numbers) : Result<Answer>(Error{numbers.error()});
         if (!model) return {model.error()};
         expect(answered(*model), "the model", {}, true);
@@ -51,7 +51,7 @@ private:
     }
     void expect(const Attempt& attempt, const std::string& what, const LessonText& say, bool is_right) {
         const Result<Attempt> read = handed_in(attempt);
-        const Result<Verdict> verdict = read ? judge_attempt(step_, *read, renderer_) : Error{read.error()};
+        const Result<Verdict> verdict = read ? judge_attempt(step_, *read, measurer_) : Error{read.error()};
         if (!verdict)
             findings_.push_back(what + " as a hand-in: " + verdict.error());
         else if (verdict->right != is_right || !(verdict->say == say))
@@ -59,14 +59,14 @@ private:
     }
 
     const LessonStep& step_;
-    Renderer& renderer_;
+    const Measurer& measurer_;
     LessonFindings findings_;
 };
 
 }  // namespace
 
-VariantCheck check_variant(const Exercise& exercise, std::size_t variant, Renderer& renderer) {
-    VariantCheck check{variant_step(exercise, variant, numbers_at_start(&renderer)), {}, 0};
+VariantCheck check_variant(const Exercise& exercise, std::size_t variant, const Measurer& measurer) {
+    VariantCheck check{variant_step(exercise, variant, numbers_at_start(measurer)), {}, 0};
     if (!check.step) {
         check.findings.push_back(check.step.error());
         return check;
@@ -75,9 +75,9 @@ VariantCheck check_variant(const Exercise& exercise, std::size_t variant, Render
     Lesson lesson;
     lesson.id = exercise.id;
     lesson.tags = exercise.tags;
-    check.findings = check_step(lesson, *check.step, renderer);
+    check.findings = check_step(lesson, *check.step, measurer);
     if (check.findings.empty())
-        for (const std::string& found : AnswerCheck(*check.step, renderer).all())
+        for (const std::string& found : AnswerCheck(*check.step, measurer).all())
             check.findings.push_back(exercise.id + ", step " + check.step->id + ": " + found);
     if (check.findings.empty()) check.wrong_answers = static_cast<int>(check.step->ask.wrong.size());
     return check;

@@ -15,6 +15,6 @@ struct VariantCheck {
 
 /// Returns the findings of check_step() for the variant. In addition, the model answer and each wrong one are written
 /// to a hand-in, read back and judged as in `grade`, and must get the same verdict as in the window.
-VariantCheck check_variant(const Exercise& exercise, std::size_t variant, Renderer& renderer);
+VariantCheck check_variant(const Exercise& exercise, std::size_t variant, const Measurer& measurer);
 
 }  // namespace viewing

@@ -90,7 +90,7 @@ std::string whose_variant(const std::vector<StudentGrade>& grades, const std::st
 
 }  // namespace
 
-Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Renderer& renderer) {
+Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, const Measurer& measurer) {
     LoadedState now = step.start;
     Answer answer;
     if (kind_of(step.ask).is_on_screen) {
@@ -103,7 +103,7 @@ Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Re
         if (!given) return Verdict{};
         answer = *given;
     }
-    Result<Surroundings> numbers = numbers_of(now, step.start.params, &renderer);
+    Result<Surroundings> numbers = numbers_of(now, step.start.params, measurer);
     if (!numbers) return Error{numbers.error()};
     return judge(step.ask, answer, *std::move(numbers));
 }
@@ -148,14 +148,14 @@ std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& ans
     return order;
 }
 
-Grader::Grader(std::vector<Exercise> exercises, Renderer& renderer)
-    : exercises_(std::move(exercises)), renderer_(renderer) {}
+Grader::Grader(std::vector<Exercise> exercises, const Measurer& measurer)
+    : exercises_(std::move(exercises)), measurer_(measurer) {}
 
 const Result<LessonStep>& Grader::step(std::size_t exercise, std::size_t variant) {
     const auto key = std::pair(exercise, variant);
     const auto known = steps_.find(key);
     if (known != steps_.end()) return known->second;
-    return steps_.emplace(key, variant_step(exercises_[exercise], variant, numbers_at_start(&renderer_))).first->second;
+    return steps_.emplace(key, variant_step(exercises_[exercise], variant, numbers_at_start(measurer_))).first->second;
 }
 
 const Result<Verdict>& Grader::verdict(const std::string& key, const LessonStep& step, const Attempt& attempt) {
@@ -163,7 +163,7 @@ const Result<Verdict>& Grader::verdict(const std::string& key, const LessonStep&
     const auto known = verdicts_.find(key);
     if (known != verdicts_.end()) return known->second;
     if (verdicts_.size() >= most_kept) verdicts_.clear();
-    return verdicts_.emplace(key, judge_attempt(step, attempt, renderer_)).first->second;
+    return verdicts_.emplace(key, judge_attempt(step, attempt, measurer_)).first->second;
 }
 
 void Grader::stop_when(std::function<bool()> is_over, std::string why) {

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "grading/measurer.h"
 #include "lesson/exercise.h"
 #include "lesson/hand_in.h"
 #include "lesson/questions/judge.h"
-#include "render/renderer.h"
 
 namespace viewing {
 
 /// Judges an attempt at a step with a question. A change that the goal does not allow is wrong, and so is an answer
 /// that does not fit the question. The error comes from an expression or from drawing.
-Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Renderer& renderer);
+Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, const Measurer& measurer);
 
 enum class Standing {
     right,
@@ -79,7 +79,7 @@ inline constexpr int budget_of_file = 2048, cost_of_measured = 100;
 
 class Grader {
 public:
-    Grader(std::vector<Exercise> exercises, Renderer& renderer);
+    Grader(std::vector<Exercise> exercises, const Measurer& measurer);
     /// Sets the ids of exercises that a file may contain although they are not to be graded.
     void also_know(std::vector<std::string> ids) { also_known_ = std::move(ids); }
 
@@ -107,7 +107,7 @@ private:
     std::vector<std::string> also_known_;
     std::function<bool()> is_over_;
     std::string why_over_;
-    Renderer& renderer_;
+    Measurer measurer_;
     std::map<std::pair<std::size_t, std::size_t>, Result<LessonStep>> steps_;
     std::map<std::string, Result<Verdict>> verdicts_;  ///< keyed by exercise, variant and answer
 };

@@ -23,8 +23,8 @@ std::string shortly(const Json& value) {
 
 class StepCheck {
 public:
-    StepCheck(const Lesson& lesson, const LessonStep& step, Renderer& renderer)
-        : lesson_(lesson), step_(step), renderer_(renderer) {}
+    StepCheck(const Lesson& lesson, const LessonStep& step, const Measurer& measurer)
+        : lesson_(lesson), step_(step), measurer_(measurer) {}
 
     LessonFindings all() {
         check_texts();
@@ -32,7 +32,7 @@ public:
         check_marks();
         if (!load_scenes()) return findings_;
         {
-            LessonNumbers before(step_.start.params, step_.start.params, *scene_, &renderer_);
+            LessonNumbers before(step_.start.params, step_.start.params, *scene_, measurer_);
             check_claims(step_.claims_before, "claims_before", before);
             if (!kind_of(step_.ask).is_on_screen) check_answers(before);
         }
@@ -41,7 +41,7 @@ public:
         const Result<LessonText> told = filled(step_.reveal.say, with_constants(step_.ask, at_once.surroundings()));
         if (!told) find("reveal.say: " + told.error());
         if (kind_of(step_.ask).is_on_screen) check_goal();
-        LessonNumbers after(step_.revealed, step_.start.params, *revealed_scene_, &renderer_);
+        LessonNumbers after(step_.revealed, step_.start.params, *revealed_scene_, measurer_);
         check_claims(step_.claims, "claims", after);
         return findings_;
     }
@@ -162,7 +162,7 @@ private:
     Result<Verdict> judge_goal(const Params& params) {
         const std::optional<Scene> scene = scene_of(params);
         if (!scene) return Error{"its scene cannot be loaded"};
-        LessonNumbers numbers(params, step_.start.params, *scene, &renderer_);
+        LessonNumbers numbers(params, step_.start.params, *scene, measurer_);
         return judge(step_.ask, {}, numbers.surroundings());
     }
 
@@ -196,15 +196,15 @@ private:
 
     const Lesson& lesson_;
     const LessonStep& step_;
-    Renderer& renderer_;
+    const Measurer& measurer_;
     std::optional<Scene> scene_, revealed_scene_;
     LessonFindings findings_;
 };
 
 }  // namespace
 
-LessonFindings check_step(const Lesson& lesson, const LessonStep& step, Renderer& renderer) {
-    return StepCheck(lesson, step, renderer).all();
+LessonFindings check_step(const Lesson& lesson, const LessonStep& step, const Measurer& measurer) {
+    return StepCheck(lesson, step, measurer).all();
 }
 
 }  // namespace viewing

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "grading/measurer.h"
 #include "lesson/lesson.h"
-#include "render/renderer.h"
 
 namespace viewing {
 
@@ -17,6 +17,6 @@ using LessonFindings = std::vector<std::string>;
 /// must be right, and a goal must not be reached at the start. Each listed wrong answer must be recognized and
 /// distinguished from the others, and every tag must be one of the lesson's. A goal's model may change only what the
 /// step allows to be changed.
-LessonFindings check_step(const Lesson& lesson, const LessonStep& step, Renderer& renderer);
+LessonFindings check_step(const Lesson& lesson, const LessonStep& step, const Measurer& measurer);
 
 }  // namespace viewing

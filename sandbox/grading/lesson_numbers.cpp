@@ -32,12 +32,13 @@ Error wants_arguments(const std::string& form) {
 
 }  // namespace
 
-LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene& scene, Renderer* renderer)
+LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene& scene, const Measurer& measurer)
     : now_(now),
       start_(start),
       scene_(scene),
-      renderer_(renderer),
-      derived_(derive(now, scene, renderer ? renderer->viewport(size_px, now, scene) : Viewport{size_px})) {}
+      renderer_(measurer.renderer()),
+      known_(measurer.known(now, scene)),
+      derived_(derive(now, scene, renderer_ ? renderer_->viewport(size_px, now, scene) : Viewport{size_px})) {}
 
 Surroundings LessonNumbers::surroundings() {
     return {[this](const std::string& name, std::span<const double> arguments) { return look_up(name, arguments); },
@@ -102,12 +103,12 @@ Result<Json> LessonNumbers::look_up(const std::string& name, std::span<const dou
     }
     std::string key = name;
     for (const double argument : arguments) key += " " + shortest_number(argument);
-    if (const auto known = kept_.find(key); known != kept_.end()) return known->second;
-    if (kept_.size() == most_measured)
+    if (const auto known = known_->find(key); known != known_->end()) return known->second;
+    if (known_->size() == most_measured)
         return Error{name + " exceeds the limit of " + std::to_string(most_measured) +
                      " different measured values per state"};
     Result<Json> value = measured(name, arguments);
-    if (value) kept_[key] = *value;
+    if (value) (*known_)[key] = *value;
     return value;
 }
 

@@ -2,12 +2,12 @@
 // at fixed sizes, whatever the window's size. Read lesson/formulas/names.h for the list of names.
 #pragma once
 
-#include <map>
+#include <memory>
 #include <string>
 
 #include "frame/derive.h"
+#include "grading/measurer.h"
 #include "lesson/formulas/expression.h"
-#include "render/renderer.h"
 
 namespace viewing {
 
@@ -15,9 +15,9 @@ class LessonNumbers {
 public:
     /// `start` has the parameters at the start of the step. The references must outlive this object. Without a
     /// renderer, measurements of pictures are an error.
-    LessonNumbers(const Params& now, const Params& start, const Scene& scene, Renderer* renderer);
+    LessonNumbers(const Params& now, const Params& start, const Scene& scene, const Measurer& measurer);
 
-    /// Returns lookups that refer to this object, which stores the measured values.
+    /// Returns lookups that refer to this object.
     Surroundings surroundings();
 
     static constexpr glm::ivec2 size_px{1280, 720};            ///< for measured pictures
@@ -34,9 +34,9 @@ private:
     const Params& start_;
     const Scene& scene_;
     Renderer* renderer_;
+    std::shared_ptr<Measurer::Values> known_;
     Derived derived_;
     Json state_, start_state_, matrices_;  ///< null until requested
-    std::map<std::string, Json> kept_;     ///< measured values, by name and arguments
 };
 
 }  // namespace viewing

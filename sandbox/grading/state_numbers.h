@@ -10,10 +10,10 @@
 namespace viewing {
 
 /// Returns the numbers of `now`, with `start` as the start of the step. The error is that of loading the scene.
-/// `renderer` may be null, as for LessonNumbers, and must outlive the result.
-Result<Surroundings> numbers_of(const LoadedState& now, const Params& start, Renderer* renderer);
+/// The renderer must outlive the result.
+Result<Surroundings> numbers_of(const LoadedState& now, const Params& start, const Measurer& measurer);
 
 /// Returns a function that calls numbers_of() for a state with itself as the start; used to compute variants.
-NumbersAt numbers_at_start(Renderer* renderer);
+NumbersAt numbers_at_start(const Measurer& measurer);
 
 }  // namespace viewing

@@ -74,7 +74,7 @@ TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
     Attempt attempt;
     attempt.is_goal = true;
     attempt.settings = {"depth.offset.units=-40"};
-    EXPECT_EQ(*run().verdict(), *judge_attempt(run().step(), attempt, renderer()));
+    EXPECT_EQ(*run().verdict(), *judge_attempt(run().step(), attempt, &renderer()));
 
     set_units(-0.75);
     ASSERT_TRUE(frames_until([&] { return run().is_revealed(); }));

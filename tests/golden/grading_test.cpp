@@ -5,6 +5,7 @@
 #include <set>
 
 #include "gl/gl_test.h"
+#include "grading/state_numbers.h"
 
 namespace viewing {
 namespace {
@@ -40,7 +41,7 @@ protected:
             EXPECT_TRUE(exercise) << exercise.error();
             exercises.push_back(*exercise);
         }
-        return {std::move(exercises), renderer()};
+        return {std::move(exercises), &renderer()};
     }
 
     static HandIn hand_in(std::vector<std::pair<std::string, std::vector<Attempt>>> items) {
@@ -122,6 +123,57 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
     EXPECT_EQ(none.items[0].standing, Standing::not_judged);
     EXPECT_TRUE(none.is_cut);
     EXPECT_FALSE(late.grade(hand_in({}), "f.json", {}).is_cut) << "nothing was to be judged";
+}
+
+TEST_F(GradingTest, AStateIsMeasuredOnce) {
+    const Measurer measurer(&renderer());
+    const LoadedState state = *load_state("depth-fighting");
+    const auto fighting_in = [&](const LoadedState& now) {
+        return *numbers_of(now, state.params, measurer)->look_up("fighting", {});
+    };
+    const auto known_of = [&](const LoadedState& now) {
+        return measurer.known(now.params, *load_scene(now.params.scene, now.base, now.params.coplanar));
+    };
+    const Json measured = fighting_in(state);
+    EXPECT_EQ(known_of(state)->at("fighting"), measured);
+    EXPECT_EQ(fighting_in(state), *numbers_of(state, state.params, &renderer())->look_up("fighting", {}));
+    (*known_of(state))["fighting"] = 42;
+    EXPECT_EQ(fighting_in(state), 42) << "not measured again";
+
+    LoadedState other = state;
+    other.params.projection.near *= 2.0;
+    EXPECT_NE(fighting_in(other), 42);
+    EXPECT_EQ(fighting_in(state), 42);
+    other = state;
+    other.params.scene = "cyclic-overlap";
+    EXPECT_NE(fighting_in(other), 42) << "another scene";
+}
+
+TEST_F(GradingTest, AChangedMeshIsAnotherState) {
+    const Measurer measurer(&renderer());
+    const Params params = load_state("")->params;
+    Scene scene = testing::scene_named("torus-and-boxes");
+    const auto known = measurer.known(params, scene);
+    EXPECT_EQ(measurer.known(params, testing::scene_named("torus-and-boxes")), known) << "loaded again";
+    scene.objects[0].mesh = std::make_shared<const Mesh>(*scene.objects[0].mesh);
+    EXPECT_NE(measurer.known(params, scene), known);
+    scene = testing::scene_named("torus-and-boxes");
+    scene.objects.pop_back();
+    EXPECT_NE(measurer.known(params, scene), known);
+}
+
+TEST_F(GradingTest, ManyStatesAreNotAllKept) {
+    const Measurer measurer(&renderer());
+    const Scene scene = testing::scene_named("torus-and-boxes");
+    Params params = load_state("")->params;
+    std::vector<std::weak_ptr<Measurer::Values>> known;
+    for (int i = 0; i < 1000; ++i) {
+        params.projection.near = 0.001 * (i + 1);
+        known.push_back(measurer.known(params, scene));
+    }
+    const auto alive = [](const auto& values) { return !values.expired(); };
+    EXPECT_LE(std::count_if(known.begin(), known.end(), alive), 100);
+    EXPECT_TRUE(alive(known.back()));
 }
 
 }  // namespace
