@@ -21,6 +21,9 @@ public:
     /// Builds a tree over the triangles, by index.
     static BoxTree of_triangles(const Mesh& mesh);
 
+    /// Returns the box of all items.
+    Bounds bounds() const { return levels_.empty() ? Bounds{} : levels_.back().front(); }
+
     /// Returns whether is_so(item) holds for any item in boxes that pass may_hold(box); stops at the first such item.
     template <typename MayHold, typename IsSo>
     bool any(MayHold may_hold, IsSo is_so) const {

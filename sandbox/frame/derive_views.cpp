@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/box_tree.h"
 #include "frame/derive.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
@@ -35,7 +36,7 @@ glm::dmat4 centered_on(std::span<const glm::dvec3> points, const glm::dmat4& cli
 std::vector<glm::dvec3> casting(const Scene& scene, const PlanePatch& patch) {
     std::vector<glm::dvec3> points;
     for (const SceneObject& object : scene.objects) {
-        const Bounds bounds = bounds_of(*object.mesh);
+        const Bounds bounds = vertex_tree(object.mesh)->bounds();
         for (int corner = 0; corner < 8 && !bounds.empty(); ++corner)
             points.emplace_back(object.world_from_model * glm::dvec4(corner & 1 ? bounds.max.x : bounds.min.x,
                                                                      corner & 2 ? bounds.max.y : bounds.min.y,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "frame/box_tree.h"
 #include "topics/depth/numbers/fragments.h"
 
 namespace viewing {
@@ -57,7 +58,7 @@ bool is_seen_at(const FragmentFinder& finder, const FramePlan& plan, glm::ivec2 
 
 std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world,
                                        glm::ivec2 size_px) {
-    const Bounds bounds = bounds_of(*object.mesh);
+    const Bounds bounds = vertex_tree(object.mesh)->bounds();
     const glm::dvec2 size(size_px);
     ScreenBox box{glm::dvec2(1e300), glm::dvec2(-1e300)};
     constexpr double least_w = 1e-6;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "frame/box_tree.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/words.h"
@@ -69,10 +70,12 @@ double size_of_most(const Mesh& mesh) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<float> values;
         for (std::size_t i = 0; i < mesh.positions.size(); i += step) values.push_back(mesh.positions[i][axis]);
-        std::sort(values.begin(), values.end());
-        const std::size_t few = (values.size() + left_out - 1) / left_out;
-        if (values.size() > 2 * few)
-            longest = std::max(longest, static_cast<double>(values[values.size() - 1 - few] - values[few]));
+        const auto few = static_cast<std::ptrdiff_t>((values.size() + left_out - 1) / left_out);
+        if (std::ssize(values) <= 2 * few) continue;
+        const auto low = values.begin() + few, high = values.end() - 1 - few;
+        std::nth_element(values.begin(), low, values.end());
+        std::nth_element(low, high, values.end());
+        longest = std::max(longest, static_cast<double>(*high - *low));
     }
     return longest;
 }
@@ -84,7 +87,7 @@ double times_of_most(const SceneObject& object, const Params& params, const Deri
     constexpr double dot = 1.0 / 100.0, apart = 100.0;
     const Mesh& mesh = *object.mesh;
     if (mesh.positions.size() > most_vertices) return 0.0;
-    const Bounds bounds = bounds_of(mesh);
+    const Bounds bounds = vertex_tree(object.mesh)->bounds();
     const glm::dvec3 extent(bounds.size());
     const double whole = std::max({extent.x, extent.y, extent.z}), most = size_of_most(mesh);
     if (!(apart * most < whole)) return 0.0;

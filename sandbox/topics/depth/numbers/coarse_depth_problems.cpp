@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "frame/box_tree.h"
 #include "frame/depth_switches.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
@@ -187,7 +188,7 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
             const double least_apart = 1e-3 * plane.patch.extent;
             if (object.description.decal || !lies_in(object, plane.unit_plane, least_apart)) continue;
             const glm::dvec4 center =
-                object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
+                object.world_from_model * glm::dvec4(vertex_tree(object.mesh)->bounds().center(), 1.0);
             const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * glm::dvec3(center);
             const double cosine =
                 std::abs(glm::dot(glm::dvec3(plane.unit_plane), towards_eye)) / glm::length(towards_eye);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "frame/box_tree.h"
 #include "frame/cleared_code.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
@@ -52,7 +53,7 @@ namespace {
 /// in eye distance is a visible fraction of the picture's height there; otherwise 0.
 double coarse_gap(const Params& params, const Derived& derived, const Mirror& mirror, const SceneObject& object) {
     const Lens lens = params.lens();
-    const glm::dvec3 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
+    const glm::dvec3 center = object.world_from_model * glm::dvec4(vertex_tree(object.mesh)->bounds().center(), 1.0);
     const double z = std::clamp(-(derived.view_from_world * glm::dvec4(center, 1.0)).z, std::max(lens.near, 1e-9),
                                 lens.far),
                  gap = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
