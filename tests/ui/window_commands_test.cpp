@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
+
+#include "text/manual.h"
 
 namespace viewing::test {
 namespace {
@@ -60,6 +63,24 @@ TEST(CommandsTest, AKeyMeansWhatItsPlaceIsFor) {
     EXPECT_EQ(name(Key::home, viewing::Place::lesson), "Restore the step's state");
     EXPECT_EQ(name(Key::x, viewing::Place::lesson), "none") << "it shows the state before, while it is held";
     EXPECT_EQ(name(Key::f1, viewing::Place::stage), "none") << "no help before an audience";
+}
+
+TEST(CommandsTest, TheManualNamesEveryKeyOfTheStage) {
+    std::vector<std::string> keys;
+    for (const ManualBlock& block : manual_topic("lessons")) {
+        if (block.part != ManualPart::row) continue;
+        const std::string cell = std::regex_replace(block.cells.front(), std::regex(" or "), "\n");
+        const std::regex key("([^\n]+?)(, |\n|$)");
+        for (std::sregex_iterator at(cell.begin(), cell.end(), key), end; at != end; ++at) keys.push_back((*at)[1]);
+    }
+    int count = 0;
+    for (const WindowCommand& command : window_commands()) {
+        if (command.is_in(viewing::Place::window) || command.is_in(viewing::Place::lesson)) continue;
+        const auto is_named = [&](const std::string& key) { return key == key_text(command.key); };
+        EXPECT_TRUE(std::any_of(keys.begin(), keys.end(), is_named)) << key_text(command.key);
+        ++count;
+    }
+    EXPECT_GT(count, 10);
 }
 
 TEST(CommandsTest, TheFileMenuHasItsCommands) {
