@@ -275,7 +275,7 @@ void Studio::animate(const Surroundings& surroundings) {
 void Studio::prepare(const Surroundings& surroundings) {
     session.update_scene();
     make_exercises();
-    workbench.set_stage();
+    workbench.set_stage(session);
     follow_looks(surroundings);
     animate(surroundings);
     update(workbench.layout(ImGui::GetIO().DisplaySize, session), surroundings);

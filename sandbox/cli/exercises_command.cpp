@@ -36,9 +36,11 @@ std::string list_of(const std::vector<Exercise>& exercises) {
     int points = 0;
     for (const Exercise& exercise : exercises) {
         points += exercise.points;
-        lines += exercise.id + " — " + exercise.title.shown() + " (" + joined(exercise.sets) + "; " +
-                 say("slides {slides}", "slides"_a = joined(exercise.slides)) + "; " + points_text(exercise.points) +
-                 "; " + say_count(std::ssize(exercise.variants), "1 variant", "{count} variants") + ")\n";
+        const std::string slides =
+            exercise.slides.empty() ? "" : say("slides {slides}", "slides"_a = joined(exercise.slides)) + "; ";
+        lines += exercise.id + " — " + exercise.title.shown() + " (" + joined(exercise.sets) + "; " + slides +
+                 points_text(exercise.points) + "; " +
+                 say_count(std::ssize(exercise.variants), "1 variant", "{count} variants") + ")\n";
     }
     return lines + say_count(std::ssize(exercises), "1 exercise", "{count} exercises") + ", " + points_text(points) +
            "\n";
@@ -183,8 +185,8 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
     TypedExercises typed;
     options.group("Exercises");
     options.positionals("FILE|DIR", typed.files, "Your own exercises; default: the program's");
-    options.text("--set", "NAME|ID,ID", typed.set,
-                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or the ones listed");
+    options.text("--set", "NAME|ID,…", typed.set,
+                 "Only the exercises listed, by id or by set: camera, hidden, depth, shadow, mirror");
     options.group("A student's sheet");
     options.text("--student", "ID", typed.student, "Prints this student's questions, each with its own numbers");
     options.text("--course", "C", typed.course, "The course; a different course gives different numbers");

@@ -41,9 +41,9 @@ void declare(Options& options, TypedGrade& typed) {
                  "The course from which the students' numbers were derived, instead of the one in each file; a file "
                  "that names another gets a note");
     options.group("Exercises");
-    options.text("--set", "NAME|ID,ID", typed.set,
-                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or the ones listed; others do "
-                 "not count");
+    options.text("--set", "NAME|ID,…", typed.set,
+                 "Only the exercises listed, by id or by set (camera, hidden, depth, shadow, mirror); others do not "
+                 "count");
     options.texts("--exercises", "FILE|DIR", typed.exercises,
                   "Your own exercises instead of the program's; repeatable");
     options.group("Output");

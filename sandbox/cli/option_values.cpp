@@ -87,13 +87,13 @@ bool is_png_name(const std::string& name) {
     return in_lower_case(std::filesystem::path(name).extension().string()) == ".png";
 }
 
-void check_picture_name(const Options& options, const char* name, const std::string& target) {
+void check_picture_name(const Options& options, const char* name, const std::string& target, const char* endings) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status there = fs::status(target, error);
     const bool is_named = !fs::exists(there) || fs::is_regular_file(there);
     if (target != "-" && !target.empty() && is_named && !is_png_name(target))
-        options.refuse(std::string(name) + ": must end in .png, or be - for standard output" + got(target));
+        options.refuse(std::string(name) + ": must end in " + endings + ", or be - for standard output" + got(target));
 }
 
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text) {

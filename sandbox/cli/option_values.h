@@ -33,8 +33,10 @@ std::size_t choice_option(const Options& options, const char* name, const std::s
 /// Whether a name ends in .png, in upper or lower case.
 bool is_png_name(const std::string& name);
 
-/// Refuses the name of an output picture unless it ends in .png, is "-", or names a device or a pipe.
-void check_picture_name(const Options& options, const char* name, const std::string& target);
+/// Refuses the name of an output picture unless it ends in .png, is "-", or names a device or a pipe. `endings`: all
+/// that the option takes.
+void check_picture_name(const Options& options, const char* name, const std::string& target,
+                        const char* endings = ".png");
 
 /// Returns the value of --samples, 0 or 4; nothing if the option was left out.
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text);

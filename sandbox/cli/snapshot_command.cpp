@@ -147,7 +147,8 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
                       (wish.picture.view == PictureView::depth || !is_png_name(*typed.output));
     if (wish.is_numbers && wish.picture.view != PictureView::depth)
         options.refuse("-o: .npy and .pfm hold depths, which need --view depth");
-    if (typed.output && !wish.is_vector && !wish.is_numbers) check_picture_name(options, "-o", *typed.output);
+    if (typed.output && !wish.is_vector && !wish.is_numbers)
+        check_picture_name(options, "-o", *typed.output, ".png, .svg or .pdf, or, with --view depth, in .npy or .pfm");
     if (typed.diff) check_picture_name(options, "--diff", *typed.diff);
     return wish;
 }
@@ -174,7 +175,8 @@ LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, co
     const std::string& file = arguments.as_typed();
     if (!file.empty()) {
         if (typed.student || typed.course)
-            options.refuse("--student and --course cannot be given with a hand-in, which names both");
+            options.refuse(
+                "--student and --course cannot be given with a hand-in, which STATE is here and which names both");
         hand_in = value_or_end(load_hand_in(file));
     }
     const UiParams looks = arguments.looks();

@@ -50,7 +50,8 @@ void declare(Options& options, TypedSuite& typed) {
                         "results of the last run the references, for these entries or all that are different; merge "
                         "SUITE REPORT…: merges the reports of shards. SUITE is a .json file, or a folder of states");
     options.group("For run");
-    options.texts("--only", "NAME", typed.only, "Runs only this entry; repeatable");
+    options.texts("--only", "NAME", typed.only,
+                  "Runs only this entry; repeatable. The report keeps its results of the others");
     options.flag("--accept-new", typed.accept_new, "Entries without a reference do not cause exit status 1");
     options.text("--jobs", "N", typed.jobs, "Number of processes that draw, 1 to 256; default 1");
     options.text("--entry-timeout", "S", typed.entry_timeout,
@@ -219,7 +220,7 @@ RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, 
                   shard.of,
                   std::chrono::duration<double>(Clock::now() - begun).count(),
                   std::move(gathered.entries)};
-    if (typed.only.empty()) value_or_end(write_report(suite.report, run));
+    value_or_end(write_report(suite.report, typed.only.empty() ? run : with_earlier_results(run, suite)));
     if (typed.github)
         for (const EntryResult& entry : run.entries)
             if (entry.outcome != Outcome::passed && entry.outcome != Outcome::not_drawn)
@@ -228,8 +229,7 @@ RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, 
     if (!strays.empty())
         print(counted(std::ssize(strays), "reference belongs", "references belong") +
               " to no entry: " + one_line(joined(strays)) + "\n");
-    const std::string where = typed.only.empty() ? ": " + (suite.report / "index.html").string() : "";
-    print(one_line(suite.name) + ": " + summary_of(run) + where + "\n");
+    print(one_line(suite.name) + ": " + summary_of(run) + ": " + (suite.report / "index.html").string() + "\n");
     return {run.is_good(typed.accept_new), static_cast<std::int64_t>(run.count(Outcome::not_drawn)), gathered.ended_by};
 }
 

@@ -91,10 +91,16 @@ void declare(Options& options, TypedSweep& typed) {
 
 // ---- the request ---------------------------------------------------------------------------------------------------
 
-Kind kind_of(const std::string& output, std::string& ending) {
+/// Refuses the name of a new folder that looks like a file's.
+Kind kind_of(const Options& options, const std::string& output, std::string& ending) {
     ending = fs::path(output).extension().string();
     if (std::find(film_endings.begin(), film_endings.end(), ending) != film_endings.end()) return Kind::film;
-    return ending == ".png" ? Kind::sheet : Kind::folder;
+    if (ending == ".png") return Kind::sheet;
+    std::error_code error;
+    if (!ending.empty() && !fs::is_directory(output, error))
+        options.refuse("-o: must end in .png, " + joined(film_endings) +
+                       ", or name a folder, without an ending, got \"" + one_line(output) + "\"");
+    return Kind::folder;
 }
 
 /// Returns the outputs that are not a folder of pictures.
@@ -146,7 +152,7 @@ SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_fligh
     wish.picture.size_px = size_option(options, typed.size);
     check_size(options, wish.picture);
     wish.picture.samples = samples_option(options, typed.samples);
-    if (typed.output) wish.kind = kind_of(*typed.output, wish.ending);
+    if (typed.output) wish.kind = kind_of(options, *typed.output, wish.ending);
     if (wish.kind != Kind::film && typed.fps && !is_flight) options.refuse("--fps needs a film: .mp4, .gif or .webp");
     if (wish.kind != Kind::sheet && typed.columns) options.refuse("--columns needs a sheet: .png");
     if (typed.fps) wish.fps = number_option(options, "--fps", *typed.fps, 1.0, 120.0);

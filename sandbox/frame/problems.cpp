@@ -6,6 +6,7 @@
 #include "frame/cleared_code.h"
 #include "frame/depth_switches.h"
 #include "frame/effect.h"
+#include "frame/matrix_facts.h"
 #include "frame/say.h"
 #include "topics/planes/numbers/drawn_mirrors.h"
 
@@ -179,7 +180,7 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
         "projection.aspect");
 }
 
-void find_slips(std::vector<Problem>& problems, const Params& params, const Scene& scene) {
+void find_slips(std::vector<Problem>& problems, const Params& params, const Derived& derived, const Scene& scene) {
     Sayer tell(problems, "camera");
     const SlipParams& slips = params.slips;
     const auto shows = [&](const char* path) { return why_without_effect(params, &scene, path).empty(); };
@@ -192,11 +193,19 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
     tell(slips.pole_flip && shows("slips.pole_flip"),
          sentence("camera.pole_flip", "mistake: orbiting over the pole flips the picture"));
     const bool computes_view = !params.camera_overrides.view_from_world;
-    tell(slips.swapped_order && computes_view,
-         sentence("camera.swapped_order",
-                  "mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));
-    tell(slips.camera_as_view && computes_view,
-         sentence("camera.camera_as_view", "mistake: C is uploaded where V belongs, so V C is not I"));
+    // R·T is T·R at the origin, or without a turn.
+    const glm::dmat4 right = view_from_world(world_from_view(params.camera.position, params.camera.angles()));
+    const bool is_wrong = largest_entry(derived.view_from_world - right) > 1e-9;
+    const auto say_slip = [&](bool is_so, const Sentence& said, const char* fix) {
+        is_wrong ? tell.broken(is_so, said, fix) : tell(is_so, said);
+    };
+    say_slip(slips.swapped_order && computes_view,
+             sentence("camera.swapped_order",
+                      "mistake: C = R·T instead of T·R, so the camera turns about the world's origin"),
+             "slips.swapped_order");
+    say_slip(slips.camera_as_view && computes_view,
+             sentence("camera.camera_as_view", "mistake: C is uploaded where V belongs, so V C is not I"),
+             "slips.camera_as_view");
 }
 
 /// Returns whether the depth test rejects every object: always, or because the depths of the previous frame stay, or
@@ -307,7 +316,7 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
         derived.has_distances ? seen_images(params, derived, scene, frame) : std::vector<SeenImage>();
     if (derived.has_distances) find_view_problems(problems, params, derived, scene, images);
     find_camera_by_hand_problems(problems, entered, derived);
-    find_slips(problems, params, scene);
+    find_slips(problems, params, derived, scene);
     if (derived.has_distances)
         find_projection_problems(problems, params, derived, scene, by_hand.clip_from_view.has_value());
     find_light_problems(problems, params, derived, scene);

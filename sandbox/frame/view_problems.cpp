@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -126,29 +127,35 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
     }
 }
 
-/// Reports the objects that near and far cut off. `seen`: the objects in view, regardless of near and far.
+/// Reports the objects that near and far cut off, and the plane if it is cut off too: a plane alone may end anywhere.
+/// `seen`: what is in view, regardless of near and far.
 void say_cut(std::vector<Problem>& problems, const Params& params, const std::vector<SeenThing>& seen) {
     constexpr double rounding = 1e-6;
     const double near = params.projection.near, far = params.projection.far;
     std::vector<Message> before, beyond;
     double nearest = near, farthest = far;
+    bool cuts_before = false, cuts_beyond = false;  // objects
     for (const SeenThing& thing : seen) {
         const Message name = thing.is_plane ? message("the plane") : object_message(thing.name);
-        if (thing.nearest < near - rounding * std::abs(near)) before.push_back(name);
-        if (thing.farthest > far * (1.0 + rounding)) beyond.push_back(name);
+        const bool is_before =
+            thing.nearest<near - rounding * std::abs(near), is_beyond = thing.farthest> far * (1.0 + rounding);
+        if (is_before) before.push_back(name);
+        if (is_beyond) beyond.push_back(name);
+        cuts_before |= is_before && !thing.is_plane;
+        cuts_beyond |= is_beyond && !thing.is_plane;
         nearest = std::min(nearest, thing.nearest);
         farthest = std::max(farthest, thing.farthest);
     }
     Sayer tell(problems, group);
     const std::optional<double> nearer = largest_near(seen);
-    tell.broken(!before.empty() && nearer,
+    tell.broken(cuts_before && nearer,
                 sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at z = {z}",
                          "near"_a = figures(near, 3), "objects"_a = listed(before), "z"_a = figures(nearest, 3)),
                 nearer ? "projection.near=" + plain_number(*nearer) : "");
-    tell(!before.empty() && !nearer,
+    tell(cuts_before && !nearer,
          sentence("view.near_cuts", "near = {near} cuts into {objects}: no gap is left in front of the eye",
                   "near"_a = figures(near, 3), "objects"_a = listed(before)));
-    tell.broken(!beyond.empty(),
+    tell.broken(cuts_beyond,
                 sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at z = {z}",
                          "far"_a = figures(far, 3), "objects"_a = listed(beyond), "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
@@ -182,11 +189,14 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
     if (scene.objects.empty()) return;
     Params unlimited = params;
     unlimited.projection.far = 1e12;
-    std::vector<SeenThing> seen = seen_things(unlimited, derived, scene);
-    std::erase_if(seen, [](const SeenThing& thing) { return thing.is_plane; });
+    std::vector<SeenThing> all = seen_things(unlimited, derived, scene), seen;  // seen: objects only
+    std::copy_if(all.begin(), all.end(), std::back_inserter(seen), [](const SeenThing& one) { return !one.is_plane; });
+    // A near plane that keeps a floor below the eye whole would cost precision.
+    const double least_near_of_all = 0.1 * largest_near(seen).value_or(0.0);
+    if (!(largest_near(all).value_or(0.0) > least_near_of_all)) all = seen;
     const auto is_there = [&](const SceneObject& object) { return is_in_view(object, params, derived); };
     if (std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) {
-        say_cut(problems, params, seen);
+        say_cut(problems, params, all);
         return say_far(problems, params, images);
     }
     if (seen.empty()) {
@@ -200,7 +210,7 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
     const auto before = static_cast<std::size_t>(std::count_if(seen.begin(), seen.end(), is_before));
     const auto beyond = static_cast<std::size_t>(std::count_if(seen.begin(), seen.end(), is_beyond));
     if (before + beyond < seen.size()) {
-        say_cut(problems, params, seen);
+        say_cut(problems, params, all);
         return say_far(problems, params, images);
     }
     double nearest = seen.front().nearest, farthest = seen.front().farthest;
@@ -209,8 +219,9 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
         farthest = std::max(farthest, thing.farthest);
     }
     constexpr double least_near = 1e-6;  // the field's minimum
-    const double nearer =
-        rounded_down(std::max(least_near, nearest > 0.01 * farthest ? 0.9 * nearest : 0.01 * farthest));
+    double gap = nearest;                // in front of the eye, up to an object or the plane
+    for (const SeenThing& thing : all) gap = std::min(gap, thing.nearest);
+    const double nearer = rounded_down(std::max(least_near, gap > 0.01 * farthest ? 0.9 * gap : 0.01 * farthest));
     const double farther = 2.0 * rounded_down(farthest);
     const std::string near_now = figures(near, 3), far_now = figures(far, 3);
     Sayer tell(problems, group);

@@ -351,8 +351,12 @@ std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const s
             count.tag = tag;
             if (count.text.empty()) count.text = text;
         }
-    for (const StudentGrade& grade : grades) {
+    struct Tags {
         std::set<std::string> shown, last, possible;  // possible: tags of the exercises that were tried
+    };
+    std::map<std::string, Tags> tags_of;  // by student, who may have handed in several files
+    for (const StudentGrade& grade : grades) {
+        auto& [shown, last, possible] = tags_of[grade.hand_in.student];
         for (std::size_t i = 0; i < grade.items.size(); ++i) {
             const ItemGrade& item = grade.items[i];
             if (item.judged() == 0) continue;
@@ -362,12 +366,13 @@ std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const s
             last.insert(item.last_tag());
             possible.insert(shown.begin(), shown.end());
         }
-        for (auto& [tag, count] : counts) {
-            count.students += shown.contains(tag) ? 1 : 0;
-            count.at_last += last.contains(tag) ? 1 : 0;
-            count.students_of += possible.contains(tag) ? 1 : 0;
-        }
     }
+    for (const auto& [student, tags] : tags_of)
+        for (auto& [tag, count] : counts) {
+            count.students += tags.shown.contains(tag) ? 1 : 0;
+            count.at_last += tags.last.contains(tag) ? 1 : 0;
+            count.students_of += tags.possible.contains(tag) ? 1 : 0;
+        }
     std::vector<TagCount> sorted;
     for (const auto& [tag, count] : counts)
         if (count.students > 0) sorted.push_back(count);

@@ -43,19 +43,22 @@ std::string portable_text(const CompareReport& report) {
 }  // namespace
 
 std::string sentence(const CompareReport& report) {
-    const std::string found = std::to_string(report.different) + " of " + std::to_string(report.pixels) +
-                              " pixels differ, at worst by " + std::to_string(report.worst_found) + " of 255 at (" +
-                              std::to_string(report.worst_at[0]) + ", " + std::to_string(report.worst_at[1]) + "); " +
-                              std::to_string(report.beyond) + " (" + share_text(report.beyond_share()) +
-                              ") by more than " + std::to_string(report.options.worst) + ", limit " +
-                              share_text(report.options.share) + portable_text(report);
+    const std::string compared = std::to_string(report.pixels - report.left_out);
+    const std::string found = std::to_string(report.different) + " of " + compared + " pixels differ, at worst by " +
+                              std::to_string(report.worst_found) + " of 255 at (" + std::to_string(report.worst_at[0]) +
+                              ", " + std::to_string(report.worst_at[1]) + "); " + std::to_string(report.beyond) + " (" +
+                              share_text(report.beyond_share()) + ") by more than " +
+                              std::to_string(report.options.worst) + ", limit " + share_text(report.options.share) +
+                              portable_text(report);
     if (report.sizes_differ)
         return "different: the sizes differ, A is " + size_text(report.size_a) + " and B is " +
                size_text(report.size_b) + "; in the part that both have, a channel differs by at most " +
                std::to_string(report.worst_found) + " of 255" + places(report);
     const std::string left_out =
         report.left_out > 0 ? "; " + std::to_string(report.left_out) + " pixels are left out by the mask" : "";
-    if (report.different == 0) return "equal: all " + size_text(report.size_a) + " pixels are the same" + left_out;
+    if (report.different == 0)
+        return "equal: all " + (report.left_out > 0 ? compared + " compared" : size_text(report.size_a)) +
+               " pixels are the same" + left_out;
     return (report.equal ? "equal within the thresholds: " : "different: ") + found + places(report) + left_out;
 }
 

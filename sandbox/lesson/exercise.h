@@ -44,7 +44,8 @@ Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& fil
 /// Returns the index of the exercise with that id or short id; the error suggests the nearest one.
 Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const std::string& name);
 
-/// Selects the exercises of a set, or those in a comma-separated list of ids; "" selects all. The error lists the sets.
+/// Selects the exercises in a comma-separated list of sets and ids, in its order; "" selects all. The error lists the
+/// sets.
 Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std::string& set);
 
 /// Returns the JSON Schema of exercise files.

@@ -265,17 +265,23 @@ Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const 
 
 Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std::string& set) {
     if (set.empty()) return exercises;
-    std::vector<Exercise> kept;
     std::vector<std::string> sets;
-    for (const Exercise& exercise : exercises) {
-        if (exercise.is_in(set)) kept.push_back(exercise);
+    for (const Exercise& exercise : exercises)
         for (const std::string& name : exercise.sets)
             if (std::find(sets.begin(), sets.end(), name) == sets.end()) sets.push_back(name);
-    }
-    if (!kept.empty()) return kept;
+    std::vector<Exercise> kept;
+    const auto keep = [&kept](const Exercise& exercise) {
+        const auto is_it = [&](const Exercise& one) { return one.id == exercise.id; };
+        if (std::none_of(kept.begin(), kept.end(), is_it)) kept.push_back(exercise);
+    };
     for (std::size_t begin = 0, end = 0; begin <= set.size(); begin = end + 1) {
         end = std::min(set.find(',', begin), set.size());
         const std::string name = set.substr(begin, end - begin);
+        if (std::find(sets.begin(), sets.end(), name) != sets.end()) {
+            for (const Exercise& exercise : exercises)
+                if (exercise.is_in(name)) keep(exercise);
+            continue;
+        }
         const Result<std::size_t> at = find_exercise(exercises, name);
         if (!at) {
             std::vector<std::string> names = sets;
@@ -283,8 +289,7 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
             return Error{"\"" + excerpt(name) + "\" is neither a set (" + joined(sets) + ") nor an exercise" +
                          suggestion(name, names)};
         }
-        const auto is_there = [&](const Exercise& one) { return one.id == exercises[*at].id; };
-        if (std::none_of(kept.begin(), kept.end(), is_there)) kept.push_back(exercises[*at]);
+        keep(exercises[*at]);
     }
     return kept;
 }

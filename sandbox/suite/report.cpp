@@ -195,6 +195,24 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
     return whole;
 }
 
+RunResult with_earlier_results(RunResult run, const Suite& suite) {
+    const Result<RunResult> earlier = read_run(suite.report);
+    if (!earlier) return run;
+    std::vector<EntryResult> entries;
+    for (const SuiteEntry& entry : suite.entries) {
+        const auto is_its = [&](const EntryResult& result) { return result.name == entry.name; };
+        const auto found = std::find_if(run.entries.begin(), run.entries.end(), is_its);
+        if (found != run.entries.end()) {
+            entries.push_back(*found);
+            continue;
+        }
+        const auto known = std::find_if(earlier->entries.begin(), earlier->entries.end(), is_its);
+        if (known != earlier->entries.end()) entries.push_back(*known);
+    }
+    run.entries = std::move(entries);
+    return run;
+}
+
 Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names) {
     Result<RunResult> run = read_run(suite.report);
     if (!run) return Error{run.error()};

@@ -28,6 +28,10 @@ std::vector<std::string> stray_references(const Suite& suite);
 /// It is an error if an entry is in two shards, if it is not in the suite, or if the shards belong to different splits.
 Result<RunResult> merge_reports(const Suite& suite, const std::vector<std::filesystem::path>& folders);
 
+/// Completes a run of some entries with the report's results of the others, in the suite's order. Entries without a
+/// result are left out.
+RunResult with_earlier_results(RunResult run, const Suite& suite);
+
 /// Makes the results of the last run the new references, for the entries with these names or, without names, for all
 /// that are different, and updates the report. Returns the number of entries accepted. Fails if a name is unknown, if
 /// there was no run, or if nothing was drawn.

@@ -118,10 +118,9 @@ TEST_F(ExercisesCommand, SolutionsAreForTheLecturer) {
     for (const nlohmann::json& question : sheet["exercises"])
         EXPECT_FALSE(question["solution"].get<std::string>().empty()) << question;
     // P = (0, 1, 0, 0), L = (−1, 4, 3, 1): S = (P·L) I − L Pᵀ, computed by hand.
-    const std::string by_hand =
-        "4.000, 1.000, 0.000, 0.000; 0.000, 0.000, 0.000, 0.000; 0.000, −3.000, 4.000, 0.000; "
-        "0.000, −1.000, 0.000, 4.000";
+    const std::string by_hand = "4, 1, 0, 0; 0, 0, 0, 0; 0, −3, 4, 0; 0, −1, 0, 4";
     EXPECT_EQ(sheet["exercises"][15]["solution"], by_hand);
+    EXPECT_EQ(sheet["exercises"][10]["solution"], "626") << "a code is a whole number";
     const std::string text =
         expect(0, {"exercises", "--student", "32201234", "--course", "viewing-2026", "--solutions"}).out;
     std::size_t arrows = 0;

@@ -176,6 +176,13 @@ TEST_F(GradeCommand, MisconceptionsAreSharesOfStudentsWhoTried) {
     EXPECT_TRUE(has(grade(1, {"hand-ins", "--tags"}).out, "\n\n" + said));
     const std::string csv = grade(1, {"hand-ins", "--tags", "--format", "csv"}).out;
     EXPECT_EQ(csv, "tag,text,students,at_last,students_of\r\nT10,\"ten, not forty\",1,0,2\r\n");
+    // A student who hands in twice is one student, and a file that is named twice is one file.
+    write("hand-ins/1-again.json", hand_in("1", item("N01-far", variant_of("1"), answer("10"))));
+    const std::string again =
+        grade(1, {"hand-ins", "hand-ins/2.json", "hand-ins", "--tags", "--html", "page.html"}).out;
+    EXPECT_TRUE(has(again, "T10 ten, not forty: 50% of 2 students, 50% on the last attempt\n")) << again;
+    EXPECT_EQ(count_of(again, "another file from the same student"), 2U) << again;
+    EXPECT_TRUE(has(read("page.html"), "<p>3 students, ")) << "the third one tried nothing";
 }
 
 TEST_F(GradeCommand, OnlyTheSetCounts) {

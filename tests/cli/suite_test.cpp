@@ -184,13 +184,29 @@ TEST_F(SuiteCommand, SeveralProcessesGiveTheSameResult) {
     expect(0, {"suite", "run", "suite.json", "--jobs", "3"});
 }
 
-TEST_F(SuiteCommand, RunningOneEntryLeavesTheReportUnchanged) {
-    write_suite();
-    run({"suite", "run", "suite.json"});
+TEST_F(SuiteCommand, RunningOneEntryKeepsTheResultsOfTheOthers) {
+    const auto write_with = [&](const std::string& state) {
+        write_suite("{}", R"(, {"name": "other", "state": ")" + state + R"("}, {"name": "last", "state": "letters"})");
+    };
+    write_with("tilted-plane");
+    run({"suite", "run", "suite.json", "--only", "other"});
+    EXPECT_EQ(outcome("other"), "new") << "without an earlier report";
+    EXPECT_EQ(report()["entries"].size(), 1U);
+    expect(0, {"suite", "run", "suite.json", "--accept-new"});
     expect(0, {"suite", "run", "suite.json"});
-    const std::string before = read("report/report.json");
-    expect(0, {"suite", "run", "suite.json", "--only", "opening"});
-    EXPECT_EQ(read("report/report.json"), before);
+    const auto names = [&] {
+        std::string all;
+        for (const auto& entry : report()["entries"]) all += entry["name"].get<std::string>() + " ";
+        return all;
+    };
+    const std::string all = names();
+    write_with("letters");
+    EXPECT_EQ(run({"suite", "run", "suite.json", "--only", "other"}).status, 1);
+    EXPECT_EQ(outcome("other"), "different");
+    EXPECT_EQ(outcome("opening"), "passed");
+    EXPECT_EQ(names(), all);
+    EXPECT_TRUE(has(expect(0, {"suite", "accept", "suite.json"}).out, "1 reference accepted"));
+    expect(0, {"suite", "run", "suite.json"});
     refused({"suite", "run", "suite.json", "--only", "opning"}, {"opning", "did you mean opening?"});
 }
 

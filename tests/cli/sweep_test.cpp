@@ -142,6 +142,12 @@ TEST_F(Sweep, AFolderWithSomethingElseIsLeftAlone) {
     write("file", "kept");
     refused(small({"--vary", "camera.yaw=0:9:2", "-o", "file"}), {"file", "it is a file"});
     expect(0, small({"--vary", "camera.yaw=0:9:2", "-o", "mine"}));
+    for (const char* const film : {"film.mov", "film.avi", "sheet.jpg", "sheet.svg"}) {
+        refused(small({"--vary", "camera.yaw=0:9:2", "-o", film}), {"must end in .png, .mp4, .gif, .webp", film});
+        EXPECT_FALSE(exists(film));
+    }
+    std::filesystem::create_directory(folder() / "run.1");
+    expect(0, small({"--vary", "camera.yaw=0:9:2", "-o", "run.1"}));
 }
 
 TEST_F(Sweep, MistakesAreReportedBeforeDrawing) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "text/numbers.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {
@@ -49,7 +50,8 @@ TEST(DerivationLines, HoldForAnyPlaneAndLight) {
     Random random(seed);
     for (int trial = 0; trial < 200; ++trial) {
         const glm::dvec4 plane(random.direction(), random.number(-2.0, 2.0));
-        const glm::dvec4 light(random.vec3(5.0), trial % 3 == 0 ? 0.0 : 1.0);
+        const double w = trial % 3 == 0 ? 0.0 : trial % 3 == 1 ? 1.0 : random.number(0.1, 3.0);
+        const glm::dvec4 light(random.vec3(5.0), w);
         const glm::dvec3 p = random.vec3(3.0);
         const ShadowDerivation found = derive_shadow(plane, light, p);
         const Lines lines = shadow_lines(found, false);
@@ -59,6 +61,13 @@ TEST(DerivationLines, HoldForAnyPlaneAndLight) {
         const double to_light = glm::dot(plane, light), to_point = glm::dot(plane, glm::dvec4(p, 1.0));
         const glm::dvec4 sent = to_light * glm::dvec4(p, 1.0) - to_point * light;
         EXPECT_NEAR(last_number(lines, "w"), sent.w, 6e-4);
+        const auto of_sent = std::find_if(lines.begin(), lines.end(), [](const DerivationLine& line) {
+            return line.parts.front() == "S p" && line.parts.back().starts_with("= (");
+        });
+        ASSERT_NE(of_sent, lines.end());
+        const std::vector<double> numbers = numbers_in(of_sent->parts.back());
+        ASSERT_EQ(numbers.size(), 3U);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(numbers[i], sent[i], 6e-4);
         if (light.w == 0.0) continue;
         EXPECT_NEAR(last_number(lines, "s_x"), sent.x / sent.w, 6e-4);
         EXPECT_NEAR(last_number(lines, "s_y"), sent.y / sent.w, 6e-4);

@@ -79,10 +79,12 @@ const ask = window.watched ? watched.ask : requestAnimationFrame;
 ask(() => ask(look));
 """
 
-DOUBLE_CLICK = """((x, y) => {
-    const mouse = {clientX: x, clientY: y, pointerId: 1, pointerType: 'mouse', cancelable: true};
+DOUBLE_CLICK = """((pointerType, clientX, clientY) => {
+    const canvas = document.getElementById('view');
+    canvas.setPointerCapture = () => {};  // knows no pointer that is made here
     for (const type of ['pointerdown', 'pointerup', 'pointerdown', 'pointerup'])
-        document.getElementById('view').dispatchEvent(new PointerEvent(type, mouse));
+        canvas.dispatchEvent(new PointerEvent(type, {pointerType, pointerId: 7, clientX, clientY, cancelable: true}));
+    delete canvas.setPointerCapture;
 })(...arguments)"""
 
 KEYS = {  # code: (key, Windows key code)
@@ -317,12 +319,13 @@ class Page:
         self.mouse("mouseReleased", at, button, 0, clickCount=1)
         self.settle()
 
-    def double_click(self, label):
+    def double_click(self, label, pointer="mouse"):
         """Clicks twice at one moment. WebDriver would send each event after the page has drawn the one before, which makes
         two single clicks of it on a busy machine."""
         at = self.place(label)
-        self.mouse("mouseMoved", at)
-        self.js(DOUBLE_CLICK, *at)
+        if pointer == "mouse":
+            self.mouse("mouseMoved", at)
+        self.js(DOUBLE_CLICK, pointer, *at)
         self.settle()
 
     def drag(self, start, end, button="left", steps=8):

@@ -232,14 +232,7 @@ class Touch(browser.Checked):
         self.assertEqual(self.page.state(), before)
 
     def test_a_number_opens_the_on_screen_keyboard(self):
-        # Both taps in one command: a busy machine may exceed the double-tap time between two commands.
-        self.page.js("""(([x, y]) => {
-            const canvas = document.getElementById('view');
-            canvas.setPointerCapture = () => {};  // knows no finger that is made here
-            for (const type of ['pointerdown', 'pointerup', 'pointerdown', 'pointerup'])
-                canvas.dispatchEvent(new PointerEvent(type, {pointerId: 7, pointerType: 'touch', clientX: x, clientY: y}));
-        })(arguments[0])""", self.page.place("projection/fovy"))
-        self.page.settle()
+        self.page.double_click("projection/fovy", pointer="touch")
         self.assertEqual(self.page.js("document.activeElement.id"), "typed")
         self.page.cdp("Input.insertText", text="62")  # as an on-screen keyboard does: no keys
         self.page.key("Enter")

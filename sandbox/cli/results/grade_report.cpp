@@ -61,16 +61,18 @@ std::vector<const StudentGrade*> read_ones(const std::vector<StudentGrade>& grad
 
 std::string title(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
                   const std::string& files) {
-    std::set<std::string> courses;
-    const std::vector<const StudentGrade*> read = read_ones(grades);
-    for (const StudentGrade* const grade : read) courses.insert(grade->hand_in.course);
+    std::set<std::string> courses, students;
+    for (const StudentGrade* const grade : read_ones(grades)) {
+        courses.insert(grade->hand_in.course);
+        students.insert(grade->hand_in.student);
+    }
     std::string of_courses;
     for (const std::string& course : courses)
         if (!course.empty()) of_courses += (of_courses.empty() ? "" : ", ") + foreign(course);
     int points = 0;
     for (const Exercise& exercise : exercises) points += exercise.points;
     std::string text = "<h1>" + std::string(tr("Exercises")) + (of_courses.empty() ? "" : ": " + of_courses) +
-                       "</h1>\n<p>" + say_count(std::ssize(read), "1 student", "{count} students") + ", " +
+                       "</h1>\n<p>" + say_count(std::ssize(students), "1 student", "{count} students") + ", " +
                        say_count(std::ssize(exercises), "1 exercise", "{count} exercises") + ", " +
                        points_text(points) + "</p>\n<p>" + escaped(files) + "</p>\n";
     for (const StudentGrade& grade : grades)

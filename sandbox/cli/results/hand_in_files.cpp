@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "text/words.h"
@@ -76,6 +77,12 @@ HandInFiles hand_in_files(const std::vector<std::string>& arguments) {
         }
     }
     std::sort(found.skipped.begin(), found.skipped.end());
+    std::set<fs::path> known;
+    std::erase_if(found.files, [&](const fs::path& file) {
+        std::error_code error;
+        const fs::path whole = fs::weakly_canonical(file, error);
+        return !known.insert(error ? file : whole).second;
+    });
     return found;
 }
 

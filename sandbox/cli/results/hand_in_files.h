@@ -22,7 +22,7 @@ struct HandInFiles {
 
 /// Finds the hand-ins. Accepts a file argument whatever its name is. Searches folders and their subfolders for .json
 /// files (in upper or lower case). Does not follow links inside a folder, so that the search always ends. Names that
-/// begin with a dot count as hidden.
+/// begin with a dot count as hidden. Takes a file once, even if several arguments name it.
 HandInFiles hand_in_files(const std::vector<std::string>& arguments);
 
 }  // namespace viewing

@@ -145,12 +145,17 @@ Verdict near_numbers(const Ask& ask, const Answer& answer, const Surroundings& s
     return unknown;
 }
 
-/// Writes numbers row by row: "1, 0; 0, 1".
+/// Writes numbers row by row: "1, 0; 0, 1", or with decimals if one of them is not whole.
 std::string numbers_in_words(const Ask& ask, const Answer& model) {
     std::string words;
     const auto columns = static_cast<std::size_t>(ask.columns);
+    const bool are_whole = std::all_of(model.numbers.begin(), model.numbers.end(),
+                                       [](double number) { return number == std::round(number); });
     for (std::size_t i = 0; i < model.numbers.size(); ++i)
-        words += (i == 0 ? "" : columns > 1 && i % columns == 0 ? "; " : ", ") + number_text(model.numbers[i], 3);
+        words += (i == 0                            ? ""
+                  : columns > 1 && i % columns == 0 ? "; "
+                                                    : ", ") +
+                 number_text(model.numbers[i], are_whole ? 0 : 3);
     return words;
 }
 

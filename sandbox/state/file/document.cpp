@@ -104,7 +104,7 @@ public:
                      const nlohmann::detail::exception& error) override {
         constexpr int number_overflow = 406;
         if (error.id == number_overflow) {
-            next_place().refuse("the number " + excerpt(token) + " is too large; the limit is 1e12");
+            next_place().refuse("the number " + excerpt(token) + " is too large");
         }
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
         const std::string_view before = text_.substr(0, offset);

@@ -1,5 +1,5 @@
 // A lesson's temporary changes to the window that are not part of the state: covered parts, highlighted parts, and a
-// marked place. Empty without a lesson. lesson/target_names.h defines the names.
+// marked place. Empty without a lesson, except for the aspect ratio. lesson/target_names.h defines the names.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,8 +21,9 @@ struct Stage {
     std::vector<std::string> cover, highlight;
     std::optional<Target> target;
     /// A camera view narrower than this aspect ratio still shows as much width as at this ratio, since a view on stage
-    /// may be narrower than the one that a step was written for. 0: always use the state's lens.
+    /// may be narrower than the one that a step or a preset was written for. 0: always use the state's lens.
     double least_aspect = 0.0;
+    static constexpr double written_for = 1.6;
 };
 
 }  // namespace viewing

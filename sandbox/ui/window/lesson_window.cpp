@@ -51,9 +51,8 @@ void show_only_named(const LessonStep& step, bool presents, Stage& stage, ViewSt
         follows || is_any(names, {"light", "matrix:S", "matrix:follow", "shadow_derivation", "lecture_code"});
     views.marks_plane =
         follows || is_any(names, {"plane.", "matrix:S", "matrix:R", "matrix:follow", "derivation", "lecture_code"});
-    constexpr double written_for = 1.6;
     const bool is_about_lens = step.keeps_lens || is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"});
-    if (!is_about_lens) stage.least_aspect = written_for;
+    if (!is_about_lens) stage.least_aspect = Stage::written_for;
 }
 
 /// Covers what the question asks for, until it is answered.
@@ -99,10 +98,17 @@ void set_lesson_stage(const Guide& guide, bool presents, Stage& stage, ViewState
 
 }  // namespace
 
-void Workbench::set_stage() {
+void Workbench::set_stage(const Session& session) {
     arrangement.presents = widgets.is_on_stage = presenter.is_on();
     if (guide.is_shown()) past.note(*guide.run());
     set_lesson_stage(guide, presenter.is_on(), stage, views, arrangement.stage);
+    if (!guide.is_shown()) {
+        const std::vector<std::string> matrices = listed_matrices(session);
+        const bool is_about_lens = session.params.projection.aspect > 0.0 ||
+                                   session.params.camera_overrides.clip_from_view ||
+                                   std::find(matrices.begin(), matrices.end(), "P") != matrices.end();
+        stage.least_aspect = presenter.is_on() && !is_about_lens ? Stage::written_for : 0.0;
+    }
     std::vector<std::string>& covered = widgets.targets.covered;
     covered = stage.cover;
     if (stage.asks)

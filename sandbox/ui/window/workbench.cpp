@@ -346,7 +346,7 @@ Requests Workbench::draw(Session& session, const WindowContent& content, const F
     if (session.message.is_drawn) session.message.shown_s += input.dt_s;
     if (message_ends_in_s(session.message) == 0.0) session.message = {};
     handle_keys({session, requests, content.problems, content.derived.aspect}, input);
-    set_stage();
+    set_stage(session);
 
     const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
                            !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);

@@ -74,8 +74,9 @@ public:
     /// Returns the preset whose thumbnail should be rendered into Pictures; "" for none.
     const std::string& wanted_preset_picture() const { return presets_.wanted_picture(); }
 
-    /// Covers, marks and arranges what the lesson's current step says. Call it before layout().
-    void set_stage();
+    /// Covers, marks and arranges what the lesson's current step says, or what a stage without a lesson needs. Call it
+    /// before layout().
+    void set_stage(const Session& session);
     /// Draws the windows of one ImGui frame (between NewFrame and EndFrame), edits the session and moves its camera.
     Requests draw(Session& session, const WindowContent& content, const FrameInput& input);
     /// Draws the same windows in one more ImGui frame, after draw() has handled the input and `content` has been

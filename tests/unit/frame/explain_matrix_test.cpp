@@ -263,5 +263,92 @@ TEST(PastedMatrix, ReadsEachLanguage) {
     EXPECT_FALSE(read_pasted_matrix(""));
 }
 
+/// Prints rows of a matrix as C's printf does; `trims`: without zeros at the end, as C++ streams do.
+std::string printed(const dmat4& matrix, const char* format, int places, bool trims) {
+    std::string text;
+    for (int i = 0; i < 16; ++i) {
+        std::array<char, 64> buffer;
+        std::snprintf(buffer.data(), buffer.size(), format, places, matrix[i % 4][i / 4]);
+        std::string number = buffer.data();
+        if (trims && number.find('.') != std::string::npos && number.find('e') == std::string::npos) {
+            number.erase(number.find_last_not_of('0') + 1);
+            if (number.back() == '.') number.pop_back();
+        }
+        text += number + (i % 4 == 3 ? "\n" : " ");
+    }
+    return text;
+}
+
+TEST(PastedMatrix, ARightMatrixIsRightHoweverItIsPrinted) {
+    struct Style {
+        const char* format;
+        int least, most;
+        bool trims;
+    };
+    constexpr Style styles[] = {{"%.*f", 3, 9, false},
+                                {"%.*f", 3, 9, true},
+                                {"%.*g", 5, 9, true},
+                                {"%#.*g", 5, 9, false},
+                                {"%.*e", 4, 8, false}};
+    Random random(seed);
+    for (int trial = 0; trial < 40; ++trial) {
+        const Sample x(random);
+        const std::pair<char, dmat4> all[] = {{'V', x.v}, {'C', x.c}, {'P', x.p}, {'S', x.s}, {'R', x.r}};
+        const auto explained = [&](char letter, const std::string& rows) {
+            const Result<PastedMatrix> pasted = read_pasted_matrix(std::string(1, letter) + " =\n" + rows);
+            EXPECT_TRUE(pasted) << rows << pasted.error();
+            return explain_matrix(pasted->matrix, pasted->letter, x.params, x.aspect, pasted->tolerance);
+        };
+        for (const auto& [letter, matrix] : all) {
+            for (const Style& style : styles)
+                for (int places = style.least; places <= style.most; ++places) {
+                    const std::string rows = printed(matrix, style.format, places, style.trims);
+                    const ExplainedMatrix found = explained(letter, rows);
+                    EXPECT_EQ(found.letter, letter) << "seed " << seed << "\n" << rows;
+                    EXPECT_EQ(found.fault, MatrixFault::none) << "seed " << seed << "\n" << letter << "\n" << rows;
+                }
+            dmat4 other = matrix;
+            other[0][1] += 0.005;
+            EXPECT_NE(explained(letter, printed(other, "%.*g", 6, true)).fault, MatrixFault::none) << letter;
+        }
+    }
+}
+
+TEST(PastedMatrix, TheRoundingIsThatOfTheLeastExactEntry) {
+    const auto tolerance_of = [](const std::string& text) { return read_pasted_matrix(text)->tolerance; };
+    // Six significant digits: 8.20128 has five decimals, 0.00277944 has eight.
+    EXPECT_NEAR(tolerance_of("V =\n0.860742 0 -0.509041 0.00277944\n-0.143723 0.959314 -0.243023 -0.713467\n"
+                             "0.488331 0.282341 0.825722 -8.20128\n0 0 0 1\n"),
+                0.51e-5, 1e-12);
+    // Two decimals, with zeros left out.
+    EXPECT_NEAR(tolerance_of("0.86 0 -0.5 0.03\n-0.14 0.96 -0.24 -0.71\n0.49 0.28 0.83 -8.2\n0 0 0 1\n"), 0.51e-2,
+                1e-9);
+    EXPECT_NEAR(tolerance_of("1.25e-01 0 0 0\n0 2.5e-01 0 0\n0 0 1.0e+00 -1.37e-03\n0 0 0 1\n"), 0.51e-2, 1e-9);
+    EXPECT_EQ(tolerance_of("1 0 0 0\n0 1 0 0\n0 0 1 -2\n0 0 0 1\n"), 1e-9);
+    EXPECT_EQ(tolerance_of("0.0 0.0 0.0 0.0\n0.0 0.0 0.0 0.0\n0.0 0.0 0.0 0.0\n0.0 0.0 0.0 0.0\n"), 1e-9);
+}
+
+TEST(PastedMatrix, OtherNumbersMayBeBesideTheMatrix) {
+    const std::string rows = "0.5 1.5 2.5 3.5\n4.5 5.5 6.5 7.5\n8.5 9.5 10.5 11.5\n12.5 13.5 14.5 15.5\n";
+    const dmat4 expected = read_pasted_matrix(rows)->matrix;
+    const std::string texts[] = {
+        "S =\n" + rows + "\nthe part of box that is not between light 2 and plane 3 (w = 0.25 there) casts no shadow\n",
+        "frame 12, 3 objects\nS\n" + rows + "took 1.25 ms\n",
+        R"({"shadow_from_world": [[0.5,1.5,2.5,3.5],[4.5,5.5,6.5,7.5],[8.5,9.5,10.5,11.5],[12.5,13.5,14.5,15.5]],
+            "shadow_sign": 1, "problems": ["between light 2 and plane 3"]})",
+        R"({"shadow_sign": 1,
+            "S": [[0.5,1.5,2.5,3.5],[4.5,5.5,6.5,7.5],[8.5,9.5,10.5,11.5],[12.5,13.5,14.5,15.5]], "camera": 2})"};
+    for (const std::string& text : texts) {
+        const Result<PastedMatrix> pasted = read_pasted_matrix(text);
+        ASSERT_TRUE(pasted) << text << pasted.error();
+        EXPECT_EQ(pasted->matrix, expected) << text;
+        EXPECT_EQ(pasted->letter, 'S') << text;
+        EXPECT_NEAR(pasted->tolerance, 5.1e-3, 1e-9) << text;
+    }
+    EXPECT_FALSE(read_pasted_matrix("1 2 3 4\n5 6 7 8\nand\n9 10 11 12\n13 14 15 16\n17"));
+    EXPECT_FALSE(read_pasted_matrix(std::string(1 << 20, '(')));
+    EXPECT_FALSE(read_pasted_matrix("."));
+}
+
 }  // namespace
 }  // namespace viewing

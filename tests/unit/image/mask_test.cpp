@@ -147,7 +147,9 @@ TEST(Mask, TheSentenceAndTheJsonSayHowMuchIsExcluded) {
     Mask mask(10, 10);
     mask.leave_out({2, 2, 3, 4});
     const CompareReport report = compare_images(a, a, {}, mask);
-    EXPECT_EQ(sentence(report), "equal: all 10 × 10 pixels are the same; 12 pixels are left out by the mask");
+    EXPECT_EQ(sentence(report), "equal: all 88 compared pixels are the same; 12 pixels are left out by the mask");
+    const std::string different = sentence(compare_images(a, noise(10, 10, 2), {}, mask));
+    EXPECT_NE(different.find("different: 88 of 88 pixels differ"), std::string::npos) << different;
     EXPECT_NE(as_json(report).find("\"left_out\": 12"), std::string::npos);
 }
 

@@ -460,6 +460,9 @@ TEST(Exercises, AreChosenBySetOrById) {
     EXPECT_EQ(ids(of_set(three(), "shadow")), "E02 E16 ");
     EXPECT_EQ(ids(of_set(three(), "E16,E01-view-matrix")), "E16 E01 ");
     EXPECT_EQ(ids(of_set(three(), "E02,E02")), "E02 ");
+    EXPECT_EQ(ids(of_set(three(), "shadow,camera")), "E02 E16 E01 ");
+    EXPECT_EQ(ids(of_set(three(), "E01,shadow")), "E01 E02 E16 ");
+    EXPECT_TRUE(has(ids(of_set(three(), "camera,shadw")), "\"shadw\" is neither"));
     const std::string told = ids(of_set(three(), "shadw"));
     EXPECT_TRUE(has(told, "\"shadw\" is neither a set (camera, shadow) nor an exercise; did you mean shadow?")) << told;
     EXPECT_TRUE(has(ids(of_set(three(), "E01,E99")), "\"E99\" is neither")) << ids(of_set(three(), "E01,E99"));

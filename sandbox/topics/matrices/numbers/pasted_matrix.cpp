@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "frame/matrix_facts.h"
 #include "text/numbers.h"
 
 namespace viewing {
@@ -64,15 +65,56 @@ char letter_in(std::string_view front) {
     return letter;
 }
 
-/// Returns half a unit in the last place of the number with the most decimals.
-double written_tolerance(std::string_view text) {
-    std::size_t most = 0;
-    for (std::size_t at = text.find('.'); at != std::string_view::npos; at = text.find('.', at + 1)) {
-        std::size_t end = at + 1;
-        while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0) ++end;
-        most = std::max(most, end - at - 1);
+/// A number with a decimal point, as it is written.
+struct Written {
+    int digits = 0;  ///< significant ones
+    int decimals = 0;
+    bool has_exponent = false;
+};
+
+std::vector<Written> written_numbers(std::string_view text) {
+    const auto is_digit = [text](std::size_t at) {
+        return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+    };
+    std::vector<Written> numbers;
+    for (std::size_t point = text.find('.'); point != std::string_view::npos; point = text.find('.', point + 1)) {
+        std::size_t begin = point, end = point + 1;
+        while (begin > 0 && is_digit(begin - 1)) --begin;
+        while (is_digit(end)) ++end;
+        if (end == point + 1) continue;
+        Written number;
+        for (std::size_t at = begin; at < end; ++at)
+            if (is_digit(at) && (number.digits > 0 || text[at] != '0')) ++number.digits;
+        number.decimals = static_cast<int>(end - point - 1);
+        number.has_exponent = end < text.size() && (text[end] == 'e' || text[end] == 'E');
+        numbers.push_back(number);
     }
-    return most == 0 ? 1e-9 : std::clamp(0.51 * std::pow(10.0, -static_cast<double>(most)), 1e-9, 5.1e-3);
+    return numbers;
+}
+
+/// Returns half a unit in the last place, to which the least exact entry is known. Numbers are printed either with the
+/// same number of decimals or, as C++ streams do, with the same number of significant digits; in both cases, zeros at
+/// the end may be left out. The way that explains the text with fewer such zeros counts.
+double written_tolerance(std::string_view text, const glm::dmat4& matrix) {
+    constexpr double least = 1e-9, most = 5.1e-3;
+    const std::vector<Written> numbers = written_numbers(text);
+    int decimals = 0, digits = 0;
+    for (const Written& number : numbers) {
+        if (!number.has_exponent) decimals = std::max(decimals, number.decimals);
+        digits = std::max(digits, number.digits);
+    }
+    if (digits == 0) return least;
+    const auto without_decimals = std::count_if(numbers.begin(), numbers.end(), [&](const Written& number) {
+        return number.has_exponent || number.decimals < decimals;
+    });
+    const auto without_digits = std::count_if(numbers.begin(), numbers.end(), [&](const Written& number) {
+        return number.digits > 0 && number.digits < digits;
+    });
+    const double largest = largest_entry(matrix);
+    const double last_place = without_digits <= without_decimals && largest > 0.0
+                                  ? std::floor(std::log10(largest)) - digits + 1.0
+                                  : -decimals;
+    return std::clamp(0.51 * std::pow(10.0, last_place), least, most);
 }
 
 struct Syntax {
@@ -94,23 +136,59 @@ Syntax syntax_of(std::string_view text) {
     return {"JSON", !is_nested};
 }
 
+/// The parts of a text that may be the matrix, the likeliest first.
+std::vector<std::string_view> likely_parts(std::string_view text) {
+    // Digits before the numbers, as in "GLfloat m[16] =", are not entries. A second assignment may follow, such as that
+    // of shadow_sign; within the first, dtype=… may follow the numbers.
+    const std::size_t equals = text.find('=');
+    const std::string_view front = text.substr(0, equals),
+                           body = equals == std::string_view::npos ? text : text.substr(equals + 1);
+    std::vector<std::string_view> parts{body, body.substr(0, body.find('=')), front, text};
+    // JSON with other members, and rows with sentences below them. A matrix is short, and not far from the beginning.
+    constexpr std::size_t searched = 1 << 14, longest = 1 << 11;
+    const std::string_view near = text.substr(0, searched);
+    for (std::size_t open = near.find_first_of("[({"); open != std::string_view::npos;
+         open = near.find_first_of("[({", open + 1)) {
+        int depth = 0;
+        for (std::size_t at = open; at < std::min(open + longest, text.size()); ++at) {
+            if (has("[({", text.substr(at, 1))) ++depth;
+            if (has("])}", text.substr(at, 1)) && --depth == 0) {
+                parts.push_back(text.substr(open, at + 1 - open));
+                break;
+            }
+        }
+    }
+    std::vector<std::size_t> rows;  // where lines with four numbers begin, in an unbroken sequence
+    for (std::size_t begin = 0; begin < near.size();) {
+        const std::size_t end = std::min(near.find('\n', begin), near.size());
+        if (numbers_in(near.substr(begin, end - begin)).size() != 4)
+            rows.clear();
+        else
+            rows.push_back(begin);
+        if (rows.size() >= 4) parts.push_back(text.substr(rows[rows.size() - 4], end - rows[rows.size() - 4]));
+        begin = end + 1;
+    }
+    return parts;
+}
+
 }  // namespace
 
 Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
     const std::string plain = without_comments(text);
     const Syntax syntax = syntax_of(plain);
-    // Digits before the numbers, as in "GLfloat m[16] =", are not entries.
-    const std::size_t equals = plain.find('=');
-    const std::string_view whole = plain, front = whole.substr(0, equals);
-    const std::string_view body = equals == std::string::npos ? whole : whole.substr(equals + 1);
-    std::vector<double> numbers = numbers_in(body);
-    // A second assignment may follow, such as that of shadow_sign; within the first, dtype=… may follow the numbers.
-    if (numbers.size() != 16) numbers = numbers_in(body.substr(0, body.find('=')));
-    if (numbers.size() != 16) numbers = numbers_in(front);
-    if (numbers.size() != 16) numbers = numbers_in(whole);
-    if (numbers.size() != 16)
-        return Error{"a matrix has 16 numbers, but there " + std::string(numbers.size() == 1 ? "is " : "are ") +
-                     std::to_string(numbers.size())};
+    const std::string_view whole = plain;
+    std::vector<double> numbers;
+    std::string_view entries;
+    for (const std::string_view part : likely_parts(whole)) {
+        entries = part;
+        numbers = numbers_in(part);
+        if (numbers.size() == 16) break;
+    }
+    if (numbers.size() != 16) {
+        const std::size_t count = numbers_in(whole).size();
+        return Error{"a matrix has 16 numbers, but there " + std::string(count == 1 ? "is " : "are ") +
+                     std::to_string(count)};
+    }
     PastedMatrix pasted;
     for (int i = 0; i < 16; ++i) {
         const double number = numbers[i];
@@ -119,8 +197,9 @@ Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
     }
     pasted.syntax = syntax.name;
     pasted.by_columns = syntax.by_columns;
-    pasted.letter = letter_in(front);
-    pasted.tolerance = written_tolerance(whole);
+    const std::size_t begin = static_cast<std::size_t>(entries.data() - whole.data());
+    pasted.letter = letter_in(begin == 0 ? whole.substr(0, whole.find('=')) : whole.substr(0, begin));
+    pasted.tolerance = written_tolerance(entries, pasted.matrix);
     return pasted;
 }
 

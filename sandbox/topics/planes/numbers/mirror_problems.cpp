@@ -295,7 +295,7 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                 sentence("reflection.other_fovy",
                          "the picture in the mirror is drawn with fovy {wrong}° instead of the camera's {right}°: the "
                          "image is {scale} times as large as it should be and does not fit its mirror",
-                         "wrong"_a = figures(params.reflection.fovy), "right"_a = figures(params.lens().fovy_deg),
+                         "wrong"_a = figures(params.reflection.fovy, 4), "right"_a = figures(params.lens().fovy_deg, 4),
                          "scale"_a = figures(scale, 3)),
                 "reflection.fovy");
 

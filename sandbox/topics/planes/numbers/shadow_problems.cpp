@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
+#include "frame/depth_switches.h"
 #include "frame/lighting.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
@@ -218,6 +219,18 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
     return true;
 }
 
+/// Returns by how many codes a polygon offset moves a surface that lies in a plane, away from the eye if positive. The
+/// window depth of a plane grows evenly over the picture.
+double codes_of_offset(const DepthOffset& offset, const Derived& derived, const glm::dvec4& plane) {
+    const glm::dvec4 in_clip = plane * glm::inverse(derived.clip_from_world);
+    const glm::dvec2 picture = glm::dvec2(derived.view_px) * (derived.clip_zero_to_one ? 0.5 : 1.0);
+    const double slope = std::max(std::abs(in_clip.x / picture.x), std::abs(in_clip.y / picture.y)) /
+                         std::abs(in_clip.z);  // in window depths per pixel
+    const StoredDepth& stored = derived.stored_depth;
+    return (offset.factor == 0.0 ? 0.0 : offset.factor * slope / code_width(stored.precision, 1.0)) +
+           offset.units * stored.unit_codes.value_or(1.0);
+}
+
 /// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Thrown>& thrown) {
     const ShadowParams& shadow = params.shadow;
@@ -238,9 +251,20 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
                                     "nothing lifts the shadow off its plane: the two depths differ only by rounding, "
                                     "so the surfaces fight"),
                            shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
+    const auto pushes = [&](const DepthOffset& offset) {
+        constexpr double codes_of_rounding = 2.0;
+        const auto is_pushed = [&](const Thrown& one) {
+            return codes_of_offset(offset, derived, one.plane.unit_plane) > codes_of_rounding;
+        };
+        const bool is_even = !has_bent_depth(params.depth) && !thrown.empty();
+        return (offset.factor >= 0.0 && offset.units >= 0.0) ||
+               (is_even && std::all_of(thrown.begin(), thrown.end(), is_pushed));
+    };
+    const double usual_factor = ShadowParams{}.offset_factor;
     tell.broken(
-        hides && by_polygon && factor >= 0.0 && units >= 0.0,
-        sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"));
+        hides && by_polygon && pushes({factor, units}),
+        sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"),
+        pushes({usual_factor, units}) ? "" : "shadow.offset_factor");
     tell.broken(
         hides && shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
         sentence("shadow.writes_depth",

@@ -99,8 +99,13 @@ void general_rows(Lines& lines, const ShadowDerivation& found) {
     add_step(lines, {"s_y", divided(sum.y, sum.w), equals(found.shadow_world->y)});
     add_step(lines, {"s_z", divided(sum.z, sum.w), equals(found.shadow_world->z)});
     introduce_w(lines);
-    add_step(lines, {"S p", "= (n·l + d) p − (n·p + d) l", "= " + derivation_vector(glm::dvec3(sum))});
-    add_step(lines, {"w", "= −n_x p_x − n_y p_y − n_z p_z + n·l", equals(sum.w)});
+    // l is (x, y, z) ÷ l_w, so the matrix has one more factor l_w, which the division by w removes.
+    const double l_w = found.light.w;
+    const auto times_l_w = [l_w](const std::string& sum_text) {
+        return l_w == 1.0 ? "= " + sum_text : "= l_w (" + sum_text + ")";
+    };
+    add_step(lines, {"S p", times_l_w("(n·l + d) p − (n·p + d) l"), "= " + derivation_vector(l_w * glm::dvec3(sum))});
+    add_step(lines, {"w", times_l_w("−n_x p_x − n_y p_y − n_z p_z + n·l"), equals(l_w * sum.w)});
 }
 
 void point_light_lines(Lines& lines, const ShadowDerivation& found, bool is_blinn) {
