@@ -99,14 +99,17 @@ void set_lesson_stage(const Guide& guide, bool presents, Stage& stage, ViewState
 }  // namespace
 
 void Workbench::set_stage(const Session& session) {
+    static constexpr std::string_view lens_names[] = {"P", "projection.fovy", "projection.aspect"};
     arrangement.presents = widgets.is_on_stage = presenter.is_on();
     if (guide.is_shown()) past.note(*guide.run());
     set_lesson_stage(guide, presenter.is_on(), stage, views, arrangement.stage);
     if (!guide.is_shown()) {
-        const std::vector<std::string> matrices = listed_matrices(session);
-        const bool is_about_lens = session.params.projection.aspect > 0.0 ||
-                                   session.params.camera_overrides.clip_from_view ||
-                                   std::find(matrices.begin(), matrices.end(), "P") != matrices.end();
+        std::vector<std::string> shown = listed_matrices(session);
+        const std::vector<std::string>& controls = session.params.view.layout.controls;
+        shown.insert(shown.end(), controls.begin(), controls.end());
+        const bool is_about_lens =
+            session.params.projection.aspect > 0.0 || session.params.camera_overrides.clip_from_view ||
+            std::find_first_of(shown.begin(), shown.end(), std::begin(lens_names), std::end(lens_names)) != shown.end();
         stage.least_aspect = presenter.is_on() && !is_about_lens ? Stage::written_for : 0.0;
     }
     std::vector<std::string>& covered = widgets.targets.covered;
