@@ -60,8 +60,10 @@ Rect CrossSection::normal_area() const {
 void CrossSection::draw_plane(ImDrawList* draw, bool along_up) const {
     const ImVec2 foot = place(glm::dvec2(0.0));
     const ImU32 color = palette().plane, shade = with_alpha(color, 30);
-    const float thickness = px(2.0F) * palette().stroke, arrow = px(26.0F), head = px(7.0F);
-    const float towards = along_up ? 1.0F : -1.0F;
+    const float thickness = px(2.0F) * palette().stroke, head = px(7.0F), towards = along_up ? 1.0F : -1.0F;
+    const float above = upright_ ? rect_.max.x - foot.x : foot.y - rect_.min.y;
+    const float below = upright_ ? foot.x - rect_.min.x : rect_.max.y - foot.y;
+    const float arrow = std::clamp((along_up ? above : below) - px(4.0F), head, px(26.0F));
     ImVec2 root, tip, side;  // of the normal's arrow; `side` runs across its head
     if (upright_) {
         draw->AddRectFilled(rect_.min, {foot.x, rect_.max.y}, shade);
@@ -81,7 +83,8 @@ void CrossSection::draw_plane(ImDrawList* draw, bool along_up) const {
     draw->AddTriangleFilled(tip, {tip.x - along.x + side.x, tip.y - along.y + side.y},
                             {tip.x - along.x - side.x, tip.y - along.y - side.y}, color);
     const float beside = upright_ ? -px(20.0F) : -px(9.0F);
-    widgets::PlateText(draw, {tip.x + px(6.0F), tip.y + beside}, color, "n");
+    const float lowest = rect_.max.y - ImGui::GetFontSize() - px(2.0F);
+    widgets::PlateText(draw, {tip.x + px(6.0F), std::min(tip.y + beside, lowest)}, color, "n");
 }
 
 }  // namespace viewing

@@ -63,30 +63,34 @@ bool is_chosen(const ReflectionParams& reflection, MirrorWay way) {
     return mirrored_in(params, way).reflection == reflection;
 }
 
-/// Draws a picture's name at the top and its numbers at the bottom, leaving out those that would cover too much of the
-/// picture; the tooltip shows them all.
+/// Draws a picture's name at the top and its numbers at the bottom, in several lines if needed, leaving out those that
+/// would cover too much of the picture; the tooltip shows them all.
 void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<const std::string> numbers) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    const float width = place.width() - px(2.0F * picture_margin);
+    if (width < fonts.note->FontSize) return;
     float room = 0.6F * place.height();
-    const auto fits = [&](const char* text, const ImFont* font) {
-        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text).x;
-        return width + px(2.0F * picture_margin) <= place.width() && font->FontSize <= room;
+    const auto size_of = [](const std::string& text, const ImFont* font) {
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.c_str());
     };
-    const auto write = [&](const char* text, ImFont* font, float top) {
-        widgets::PlateText(draw, {place.min.x + px(picture_margin), top}, palette().text, text, font);
-        room -= font->FontSize;
+    const auto fits = [&](const ImVec2& size) { return size.x <= width && size.y <= room; };
+    const auto write = [&](const std::string& text, ImFont* font, float top) {
+        widgets::PlateText(draw, {place.min.x + px(picture_margin), top}, palette().text, text.c_str(), font);
     };
-    ImFont* const head = fits(name, fonts.text) ? fonts.text : fonts.note;
-    if (fits(name, head)) write(name, head, place.min.y + px(0.5F * picture_margin));
-    ImFont* const small = place.height() < px(200.0F) ? fonts.note : fonts.text;
-    const auto fitting = static_cast<float>(
-        std::min<std::size_t>(numbers.size(), static_cast<std::size_t>(std::max(room, 0.0F) / small->FontSize)));
-    float top = place.max.y - px(0.5F * picture_margin) - fitting * small->FontSize;
-    for (const std::string& number : numbers) {
-        if (!fits(number.c_str(), small)) break;
-        write(number.c_str(), small, top);
-        top += small->FontSize;
+    ImFont* const head = fits(size_of(name, fonts.text)) ? fonts.text : fonts.note;
+    const std::string title = widgets::BrokenAtBlanks(name, width, *head);
+    if (const ImVec2 size = size_of(title, head); fits(size)) {
+        write(title, head, place.min.y + px(0.5F * picture_margin));
+        room -= size.y;
     }
+    ImFont* const small = place.height() < px(200.0F) ? fonts.note : fonts.text;
+    std::string below;
+    for (const std::string& number : numbers) {
+        const std::string more = below + (below.empty() ? "" : "\n") + widgets::BrokenAtBlanks(number, width, *small);
+        if (!fits(size_of(more, small))) break;
+        below = more;
+    }
+    if (!below.empty()) write(below, small, place.max.y - px(0.5F * picture_margin) - size_of(below, small).y);
 }
 
 void way_picture(Session& session, const Rect& place, MirrorWay way, const MirrorWaysShown& shown) {
@@ -119,15 +123,25 @@ void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysS
         widgets::Note("Reflection is off: there is no mirror image to compare.");
         return;
     }
-    // Lay out the pictures in a 2 × 2 grid, each with the camera picture's aspect ratio.
-    const glm::ivec2 made = shown.ways ? shown.ways->size_px : glm::ivec2(16, 9);
-    const float aspect = static_cast<float>(made.x) / static_cast<float>(std::max(made.y, 1));
-    const float width =
-        std::min(0.5F * (rect.width() - px(picture_gap)), 0.5F * (rect.height() - px(picture_gap)) * aspect);
-    const ImVec2 size(std::max(width, 1.0F), std::max(width / aspect, 1.0F));
+    // The pictures have the camera picture's aspect ratio. The grid with the largest ones is best.
+    const glm::ivec2 made = shown.ways ? glm::max(shown.ways->size_px, 1) : glm::ivec2(16, 9);
+    const float aspect = static_cast<float>(made.x) / static_cast<float>(made.y);
+    const auto share = [](float whole, std::size_t count) {
+        return (whole - static_cast<float>(count - 1) * px(picture_gap)) / static_cast<float>(count);
+    };
+    std::size_t columns = 2;
+    float width = 1.0F;
+    for (const std::size_t tried : {std::size_t{2}, mirror_way_count}) {
+        const float possible =
+            std::min(share(rect.width(), tried), share(rect.height(), mirror_way_count / tried) * aspect);
+        if (possible <= width) continue;
+        columns = tried;
+        width = possible;
+    }
+    const ImVec2 size(width, std::max(width / aspect, 1.0F));
     for (std::size_t index = 0; index < mirror_way_count; ++index) {
-        const ImVec2 min(rect.min.x + static_cast<float>(index % 2) * (size.x + px(picture_gap)),
-                         rect.min.y + static_cast<float>(index / 2) * (size.y + px(picture_gap)));
+        const ImVec2 min(rect.min.x + static_cast<float>(index % columns) * (size.x + px(picture_gap)),
+                         rect.min.y + static_cast<float>(index / columns) * (size.y + px(picture_gap)));
         way_picture(session, {min, {min.x + size.x, min.y + size.y}}, static_cast<MirrorWay>(index), shown);
     }
 }
