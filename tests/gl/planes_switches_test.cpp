@@ -120,6 +120,27 @@ TEST_F(Switches, AreReportedWhenTheyBreakThePicture) {
     }
 }
 
+TEST_F(Switches, AnOffsetThatHidesEveryShadowIsReported) {
+    const auto check = [&](const char* preset, const char* mapping, double factor) {
+        SCOPED_TRACE(std::string(preset) + " " + mapping + " " + std::to_string(factor));
+        const auto [usual, scene] = testing::preset_named(preset);
+        const Params params =
+            *apply_settings(usual, std::vector<std::string>{mapping, "view.samples=0", "shadow.offset=polygon_offset",
+                                                            "shadow.offset_factor=" + std::to_string(factor)});
+        const Params without = *apply_settings(params, std::vector<std::string>{"shadow.enabled=false"});
+        const int shadow_px = pixels_beyond(draw(params, scene, switches_px), draw(without, scene, switches_px), 8);
+        const std::vector<Problem> problems = problems_of(params, scene, switches_px);
+        const auto found = std::find_if(problems.begin(), problems.end(),
+                                        [](const Problem& problem) { return problem.id == "shadow.pushed_away"; });
+        EXPECT_EQ(shadow_px == 0, factor > 0.0) << shadow_px;
+        EXPECT_EQ(found != problems.end(), factor > 0.0);
+        EXPECT_EQ(found == problems.end() ? "" : found->fixed_by, factor > 0.0 ? "shadow.offset_factor=-1.0" : "");
+    };
+    for (const char* const preset : {"opening", "tilted-plane", "shadow-derivation"})
+        for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"})
+            for (const double factor : {-1.0, -0.05, 0.05, 0.5, 2.0}) check(preset, mapping, factor);
+}
+
 TEST_F(Switches, DrawABusyStateWithoutErrors) {
     const Scene scene = scene_of({object("one", box_mesh(), {-1.0, 0.5, 0.5}), object("two", box_mesh(), {1, 1, -1})});
     for (const char* const buffers : {"view.samples=0", "depth.format=d16"}) {
