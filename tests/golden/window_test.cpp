@@ -174,6 +174,27 @@ TEST_F(WindowTest, APresentersClockDelaysNothingElse) {
     EXPECT_NEAR(studio.redraw_in_s(), 0.25, 0.02) << "the message expires in time";
 }
 
+TEST_F(WindowTest, ANarrowStageShowsTheWidthOfAWideOneUnlessItIsAboutTheLens) {
+    const auto width_over_distance = [](const LoadedState& state, bool presents) {
+        Studio studio(renderer(), Session(state, scene_of(state)));
+        if (presents) studio.workbench.presenter.begin();
+        for (int frame = 0; frame < 12; ++frame) studio.frame({.size_px = {1024, 768}, .input = {}});
+        const glm::dmat4& p = studio.shown().derived.clip_from_view;
+        EXPECT_EQ(studio.session.params.projection, state.params.projection) << "the state keeps its lens";
+        return std::pair(2.0 / p[0][0], p[1][1] / p[0][0]);
+    };
+    const LoadedState letters = state_with({}, "letters");
+    const double wanted = 2.0 * Stage::written_for * std::tan(glm::radians(0.5 * letters.params.projection.fovy));
+    const auto [on_stage, aspect] = width_over_distance(letters, true);
+    EXPECT_LT(aspect, Stage::written_for);
+    EXPECT_NEAR(on_stage, wanted, 1e-9);
+    const auto [in_window, its_aspect] = width_over_distance(letters, false);
+    EXPECT_NEAR(in_window, wanted / Stage::written_for * its_aspect, 1e-9);
+    const LoadedState with_fovy = state_with({R"(view.layout={"controls": ["projection.fovy"]})"}, "letters");
+    const auto [of_lens, lens_aspect] = width_over_distance(with_fovy, true);
+    EXPECT_NEAR(of_lens, wanted / Stage::written_for * lens_aspect, 1e-9);
+}
+
 /// The cost chart is redrawn for its file while the window continues unchanged.
 TEST_F(WindowTest, WritesAPrintableCostChart) {
     const LoadedState state = state_with({"view.lower_left=growth"});
