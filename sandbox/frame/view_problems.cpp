@@ -137,8 +137,8 @@ void say_cut(std::vector<Problem>& problems, const Params& params, const std::ve
     bool cuts_before = false, cuts_beyond = false;  // objects
     for (const SeenThing& thing : seen) {
         const Message name = thing.is_plane ? message("the plane") : object_message(thing.name);
-        const bool is_before =
-            thing.nearest<near - rounding * std::abs(near), is_beyond = thing.farthest> far * (1.0 + rounding);
+        const bool is_before = thing.nearest - near < -rounding * std::abs(near);
+        const bool is_beyond = thing.farthest > far * (1.0 + rounding);
         if (is_before) before.push_back(name);
         if (is_beyond) beyond.push_back(name);
         cuts_before |= is_before && !thing.is_plane;
