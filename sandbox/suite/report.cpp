@@ -196,20 +196,15 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
 }
 
 RunResult with_earlier_results(RunResult run, const Suite& suite) {
-    const Result<RunResult> earlier = read_run(suite.report);
+    Result<RunResult> earlier = read_run(suite.report);
     if (!earlier) return run;
-    std::vector<EntryResult> entries;
-    for (const SuiteEntry& entry : suite.entries) {
-        const auto is_its = [&](const EntryResult& result) { return result.name == entry.name; };
-        const auto found = std::find_if(run.entries.begin(), run.entries.end(), is_its);
-        if (found != run.entries.end()) {
-            entries.push_back(*found);
-            continue;
-        }
-        const auto known = std::find_if(earlier->entries.begin(), earlier->entries.end(), is_its);
-        if (known != earlier->entries.end()) entries.push_back(*known);
-    }
-    run.entries = std::move(entries);
+    std::map<std::string, EntryResult> latest;
+    for (RunResult* const one : {&*earlier, &run})
+        for (EntryResult& entry : one->entries) latest.insert_or_assign(entry.name, std::move(entry));
+    run.entries.clear();
+    for (const SuiteEntry& entry : suite.entries)
+        if (const auto found = latest.find(entry.name); found != latest.end())
+            run.entries.push_back(std::move(found->second));
     return run;
 }
 

@@ -139,6 +139,14 @@ TEST_F(Switches, AnOffsetThatHidesEveryShadowIsReported) {
     for (const char* const preset : {"opening", "tilted-plane", "shadow-derivation"})
         for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"})
             for (const double factor : {-1.0, -0.05, 0.05, 0.5, 2.0}) check(preset, mapping, factor);
+
+    const auto [usual, scene] = testing::preset_named("opening");
+    const Params pulled = *apply_settings(
+        usual, std::vector<std::string>{"depth.mapping=reversed", "depth.reversed_offset=false", "view.samples=0",
+                                        "shadow.offset=polygon_offset", "shadow.offset_factor=0.5"});
+    const Params without = *apply_settings(pulled, std::vector<std::string>{"shadow.enabled=false"});
+    EXPECT_GT(pixels_beyond(draw(pulled, scene, switches_px), draw(without, scene, switches_px), 8), 0);
+    EXPECT_FALSE(says(problems_of(pulled, scene, switches_px), "shadow", "pushes the shadow away"));
 }
 
 TEST_F(Switches, DrawABusyStateWithoutErrors) {

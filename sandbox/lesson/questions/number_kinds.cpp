@@ -151,11 +151,11 @@ std::string numbers_in_words(const Ask& ask, const Answer& model) {
     const auto columns = static_cast<std::size_t>(ask.columns);
     const bool are_whole = std::all_of(model.numbers.begin(), model.numbers.end(),
                                        [](double number) { return number == std::round(number); });
-    for (std::size_t i = 0; i < model.numbers.size(); ++i)
-        words += (i == 0                            ? ""
-                  : columns > 1 && i % columns == 0 ? "; "
-                                                    : ", ") +
-                 number_text(model.numbers[i], are_whole ? 0 : 3);
+    for (std::size_t i = 0; i < model.numbers.size(); ++i) {
+        const bool begins_row = columns > 1 && i % columns == 0;
+        if (i > 0) words += begins_row ? "; " : ", ";
+        words += number_text(model.numbers[i], are_whole ? 0 : 3);
+    }
     return words;
 }
 

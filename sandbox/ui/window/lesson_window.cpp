@@ -22,6 +22,15 @@ std::vector<CardPicture> Workbench::wanted_cards() {
 
 namespace {
 
+/// Returns whether P or a control of the lens is shown.
+bool shows_lens(const std::vector<std::string>& matrices, const std::vector<std::string>& controls) {
+    const auto is_of_lens = [](const std::string& path) {
+        return path == "projection.fovy" || path == "projection.aspect";
+    };
+    return std::find(matrices.begin(), matrices.end(), "P") != matrices.end() ||
+           std::any_of(controls.begin(), controls.end(), is_of_lens);
+}
+
 /// Everything that a step names: the parts in its layout, its framed and covered parts, and what may be changed.
 std::vector<std::string> named_in(const LessonStep& step) {
     const LayoutParams& layout = step.start.params.view.layout;
@@ -99,18 +108,14 @@ void set_lesson_stage(const Guide& guide, bool presents, Stage& stage, ViewState
 }  // namespace
 
 void Workbench::set_stage(const Session& session) {
-    static constexpr std::string_view lens_names[] = {"P", "projection.fovy", "projection.aspect"};
     arrangement.presents = widgets.is_on_stage = presenter.is_on();
     if (guide.is_shown()) past.note(*guide.run());
     set_lesson_stage(guide, presenter.is_on(), stage, views, arrangement.stage);
     if (!guide.is_shown()) {
-        std::vector<std::string> shown = listed_matrices(session);
-        const std::vector<std::string>& controls = session.params.view.layout.controls;
-        shown.insert(shown.end(), controls.begin(), controls.end());
-        const bool is_about_lens =
-            session.params.projection.aspect > 0.0 || session.params.camera_overrides.clip_from_view ||
-            std::find_first_of(shown.begin(), shown.end(), std::begin(lens_names), std::end(lens_names)) != shown.end();
-        stage.least_aspect = presenter.is_on() && !is_about_lens ? Stage::written_for : 0.0;
+        const bool keeps_lens = !presenter.is_on() || session.params.projection.aspect > 0.0 ||
+                                session.params.camera_overrides.clip_from_view ||
+                                shows_lens(listed_matrices(session), session.params.view.layout.controls);
+        stage.least_aspect = keeps_lens ? 0.0 : Stage::written_for;
     }
     std::vector<std::string>& covered = widgets.targets.covered;
     covered = stage.cover;

@@ -256,15 +256,18 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         const auto is_pushed = [&](const Thrown& one) {
             return codes_of_offset(offset, derived, one.plane.unit_plane) > codes_of_rounding;
         };
-        const bool is_even = !has_bent_depth(params.depth) && !thrown.empty();
+        // With reversed depth, an offset that keeps its sign pulls nearer what it should push away.
+        const bool keeps_sign = params.depth.mapping == DepthMapping::reversed && !params.depth.reversed_offset;
+        const bool is_even = !has_bent_depth(params.depth) && !keeps_sign && !thrown.empty();
         return (offset.factor >= 0.0 && offset.units >= 0.0) ||
                (is_even && std::all_of(thrown.begin(), thrown.end(), is_pushed));
     };
-    const double usual_factor = ShadowParams{}.offset_factor;
+    const bool is_pushed = hides && by_polygon && pushes({factor, units});
+    const bool helps = is_pushed && !pushes({ShadowParams{}.offset_factor, units});  // the usual factor
     tell.broken(
-        hides && by_polygon && pushes({factor, units}),
+        is_pushed,
         sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"),
-        pushes({usual_factor, units}) ? "" : "shadow.offset_factor");
+        helps ? "shadow.offset_factor" : "");
     tell.broken(
         hides && shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
         sentence("shadow.writes_depth",
