@@ -21,6 +21,7 @@
 #include "text/catalogue.h"
 #include "topics/depth/shown/pixel_words.h"
 #include "ui/views/lower_view.h"
+#include "ui/window/fonts.h"
 #include "ui/window/recording.h"
 
 namespace viewing {
@@ -53,6 +54,7 @@ Studio::Studio(Renderer& renderer, Session opened)
 
 Studio::~Studio() {
     ImGui_ImplOpenGL3_Shutdown();
+    keep_fonts();
     ImGui::DestroyContext();
 }
 

@@ -139,14 +139,31 @@ TEST_F(Switches, AnOffsetThatHidesEveryShadowIsReported) {
     for (const char* const preset : {"opening", "tilted-plane", "shadow-derivation"})
         for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"})
             for (const double factor : {-1.0, -0.05, 0.05, 0.5, 2.0}) check(preset, mapping, factor);
+}
 
+TEST_F(Switches, AnOffsetThatKeepsItsSignIsReportedOnlyIfItPushesAway) {
     const auto [usual, scene] = testing::preset_named("opening");
-    const Params pulled = *apply_settings(
-        usual, std::vector<std::string>{"depth.mapping=reversed", "depth.reversed_offset=false", "view.samples=0",
-                                        "shadow.offset=polygon_offset", "shadow.offset_factor=0.5"});
-    const Params without = *apply_settings(pulled, std::vector<std::string>{"shadow.enabled=false"});
-    EXPECT_GT(pixels_beyond(draw(pulled, scene, switches_px), draw(without, scene, switches_px), 8), 0);
-    EXPECT_FALSE(says(problems_of(pulled, scene, switches_px), "shadow", "pushes the shadow away"));
+    struct Case {
+        double factor, units;
+        const char* reported;
+    };
+    for (const auto& [factor, units, reported] :
+         {Case{-1.0, -1.0, "it pushes surfaces away instead of pulling"}, Case{1.0, 1.0, ""},
+          Case{0.5, -1.0, "its negative number pushes surfaces away"}}) {
+        SCOPED_TRACE(std::to_string(factor) + " " + std::to_string(units));
+        const Params kept = *apply_settings(
+            usual, std::vector<std::string>{"depth.mapping=reversed", "depth.reversed_offset=false", "view.samples=0",
+                                            "shadow.offset=polygon_offset", "depth.offset.factor=0",
+                                            "depth.offset.units=0", "shadow.offset_factor=" + std::to_string(factor),
+                                            "shadow.offset_units=" + std::to_string(units)});
+        const Params without = *apply_settings(kept, std::vector<std::string>{"shadow.enabled=false"});
+        const int shadow_px = pixels_beyond(draw(kept, scene, switches_px), draw(without, scene, switches_px), 8);
+        EXPECT_EQ(shadow_px > 0, factor > 0.0) << shadow_px;
+        const std::vector<Problem> problems = problems_of(kept, scene, switches_px);
+        EXPECT_EQ(says(problems, "depth", "the offset keeps its sign"), *reported != '\0');
+        EXPECT_TRUE(says(problems, "depth", reported) || *reported == '\0');
+        EXPECT_FALSE(says(problems, "shadow", "pushes the shadow away"));
+    }
 }
 
 TEST_F(Switches, DrawABusyStateWithoutErrors) {

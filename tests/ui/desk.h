@@ -69,6 +69,7 @@ public:
         ui.frames(5);
     }
     ~Desk() {
+        keep_fonts();
         // A test may select a language, such as the pseudo-language; English is restored here.
         if (spoken_language() == Language::en) return;
         EXPECT_TRUE(speak(Language::en));

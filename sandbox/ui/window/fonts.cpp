@@ -3,8 +3,10 @@
 #include <stb/stb_truetype.h>
 
 #include <cmath>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "ui/window/font_files.h"
 
@@ -52,16 +54,38 @@ ImFont* font(const Face& face, float size_px, const ImWchar* korean, float korea
     return font;
 }
 
+struct DeleteAtlas {
+    void operator()(ImFontAtlas* atlas) const { IM_DELETE(atlas); }
+};
+
+/// The fonts that were loaded last.
+struct LatestFonts {
+    float scale = 0.0F;
+    TypeSizes type;
+    widgets::Fonts fonts;
+    const ImFontAtlas* atlas = nullptr;              ///< of a living context; null if it cannot be kept
+    std::unique_ptr<ImFontAtlas, DeleteAtlas> kept;  ///< of a destroyed context
+};
+LatestFonts latest;
+
 }  // namespace
 
 widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type) {
-    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    atlas.Clear();
-    atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     const bool has_korean =
         korean.has_any() && !font_file(regular.korean).empty() && !font_file(semibold.korean).empty();
     const ImWchar* const syllables =
         korean.ranges(has_korean ? font_file(regular.korean) : std::span<const std::byte>());
+    ImFontAtlas*& own = ImGui::GetIO().Fonts;  // the context deletes it
+    if (latest.kept && !syllables && scale == latest.scale && type == latest.type) {
+        IM_DELETE(own);
+        own = latest.kept.release();
+        latest.atlas = own;
+        ImGui::GetIO().FontDefault = latest.fonts.text;
+        return latest.fonts;
+    }
+    ImFontAtlas& atlas = *own;
+    atlas.Clear();
+    atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     // In Inter and JetBrains Mono, the em is larger than the letters: 14 design pixels of type need a 16-pixel font.
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
@@ -72,7 +96,17 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type)
     fonts.matrix = type.matrix == TypeSizes{}.matrix ? fonts.number : font(mono, type.matrix * scale, syllables);
     fonts.caption = font(regular, type.caption * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
+    // A kept atlas must not refer to syllables, which their owner deletes.
+    latest = {scale, type, fonts, syllables ? nullptr : &atlas, nullptr};
     return fonts;
+}
+
+void keep_fonts() {
+    ImFontAtlas*& own = ImGui::GetIO().Fonts;
+    if (own != latest.atlas) return;
+    latest.atlas = nullptr;
+    latest.kept.reset(std::exchange(own, IM_NEW(ImFontAtlas)()));
+    ImGui::GetIO().FontDefault = nullptr;
 }
 
 GlyphFace face_of(const ImFont& font, ImWchar character) {

@@ -14,6 +14,9 @@ namespace viewing {
 widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, const TypeSizes& type = {});
 /// Loads the same fonts without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
+/// Call just before ImGui's context is destroyed: keeps its atlas, if it is the one filled last and without Korean. The
+/// next load_fonts() that needs the same fonts takes it, which saves drawing each of their glyphs again.
+void keep_fonts();
 
 /// The font file that draws a character, and that file's em size when ImGui draws the font at its default size.
 struct GlyphFace {

@@ -37,16 +37,24 @@ public:
         const PixelRays rays(result_->request.viewpoint.clip_from_world(), objects_.width, objects_.height);
         RayCounters counters;
         std::vector<std::uint8_t> met(objects_.ids.size(), 0);
+        std::vector<BoundedRay> row;
+        std::vector<std::size_t> pixels;
+        std::vector<RayCastHit> of_first, of_second;
         for (int y = 0; y < objects_.height && !is_canceled(progress_); ++y) {
+            row.clear();
+            pixels.clear();
             for (int x = 0; x < objects_.width; ++x) {
                 const int seen = objects_.id(x, y);
                 if (seen != pair.first && seen != pair.second) continue;
-                const auto [ray, max_t] = rays.through(x, y);
-                const auto meets = [&, &pixel_ray = ray, &far = max_t](const RayScene& scene) {
-                    return scene.nearest(pixel_ray, far, counters).source >= 0;
-                };
-                met[objects_.index(x, y)] = meets(first) && meets(second) ? 1 : 0;
+                row.push_back(rays.through(x, y));
+                pixels.push_back(objects_.index(x, y));
             }
+            of_first.resize(row.size());
+            of_second.resize(row.size());
+            first.nearest(row, of_first, counters);
+            second.nearest(row, of_second, counters);
+            for (std::size_t i = 0; i < row.size(); ++i)
+                met[pixels[i]] = of_first[i].source >= 0 && of_second[i].source >= 0 ? 1 : 0;
         }
         return met;
     }

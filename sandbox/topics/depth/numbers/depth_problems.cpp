@@ -211,15 +211,19 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
         "depth.format");
 }
 
-/// Returns whether a polygon offset moves decals, or shadows that may be seen.
-bool has_offset(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
+/// Returns the polygon offsets that move decals, or shadows that may be seen.
+std::vector<DepthOffset> used_offsets(const Params& params, const Derived& derived, const Scene& scene,
+                                      const FramePlan& frame) {
     const DepthParams& depth = params.depth;
     const ShadowParams& shadow = params.shadow;
-    const bool moves_decals = depth.offset != DepthOffset{} && depth.decals == DecalMethod::offset && has_decals(scene);
-    const bool moves_shadows =
-        shadow.enabled && shadow.style == ShadowStyle::blend && shadow.offset == ShadowOffset::polygon_offset &&
-        (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0) && may_show_shadows(params, derived, scene, frame);
-    return moves_decals || moves_shadows;
+    const DepthOffset of_shadows{shadow.offset_factor, shadow.offset_units};
+    std::vector<DepthOffset> used;
+    if (depth.offset != DepthOffset{} && depth.decals == DecalMethod::offset && has_decals(scene))
+        used.push_back(depth.offset);
+    if (shadow.enabled && shadow.style == ShadowStyle::blend && shadow.offset == ShadowOffset::polygon_offset &&
+        of_shadows != DepthOffset{} && may_show_shadows(params, derived, scene, frame))
+        used.push_back(of_shadows);
+    return used;
 }
 
 void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
@@ -232,7 +236,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                  "so the wrong surface can win"),
         "depth.logarithm_per_vertex");
     tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) &&
-             has_offset(params, derived, scene, frame),
+             !used_offsets(params, derived, scene, frame).empty(),
          sentence(
              "depth.offset_in_shader",
              "the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
@@ -247,12 +251,22 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
             : sentence("depth.reversed_range",
                        "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                        "float's fine steps near 0, so little is gained"));
+    if (depth.reversed_offset || !compares_nearness(depth) || rejects_all(depth)) return;
+    // A positive number should push surfaces away, and pulls them nearer: no surface that should be seen is hidden.
+    const auto pulls = [](const DepthOffset& offset) { return offset.factor < 0.0 || offset.units < 0.0; };
+    const std::vector<DepthOffset> used = used_offsets(params, derived, scene, frame);
+    const auto pulled = std::find_if(used.begin(), used.end(), pulls);
+    if (pulled == used.end()) return;
+    const bool is_mixed = pulled->factor > 0.0 || pulled->units > 0.0;
     tell.broken(
-        !depth.reversed_offset && has_offset(params, derived, scene, frame) && compares_nearness(depth) &&
-            !rejects_all(depth),
-        sentence("depth.reversed_offset",
-                 "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
-                 "instead of pulling them nearer"),
+        true,
+        is_mixed
+            ? sentence("depth.reversed_offset",
+                       "with reversed depth, nearer means greater, but the offset keeps its sign: its negative number "
+                       "pushes surfaces away, and its positive one pulls them nearer")
+            : sentence("depth.reversed_offset",
+                       "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces "
+                       "away instead of pulling them nearer"),
         "depth.reversed_offset");
 }
 

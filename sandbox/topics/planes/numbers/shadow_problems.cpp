@@ -256,13 +256,14 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         const auto is_pushed = [&](const Thrown& one) {
             return codes_of_offset(offset, derived, one.plane.unit_plane) > codes_of_rounding;
         };
-        // With reversed depth, an offset that keeps its sign pulls nearer what it should push away.
-        const bool keeps_sign = params.depth.mapping == DepthMapping::reversed && !params.depth.reversed_offset;
-        const bool is_even = !has_bent_depth(params.depth) && !keeps_sign && !thrown.empty();
+        const bool is_even = !has_bent_depth(params.depth) && !thrown.empty();
         return (offset.factor >= 0.0 && offset.units >= 0.0) ||
                (is_even && std::all_of(thrown.begin(), thrown.end(), is_pushed));
     };
-    const bool is_pushed = hides && by_polygon && pushes({factor, units});
+    // With reversed depth, an offset that keeps its sign pulls nearer what it should push away, and the other way
+    // round: depth.reversed_offset says so.
+    const bool keeps_sign = params.depth.mapping == DepthMapping::reversed && !params.depth.reversed_offset;
+    const bool is_pushed = hides && by_polygon && !keeps_sign && pushes({factor, units});
     const bool helps = is_pushed && !pushes({ShadowParams{}.offset_factor, units});  // the usual factor
     tell.broken(
         is_pushed,
