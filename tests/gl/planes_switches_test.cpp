@@ -141,6 +141,39 @@ TEST_F(Switches, AnOffsetThatHidesEveryShadowIsReported) {
             for (const double factor : {-1.0, -0.05, 0.05, 0.5, 2.0}) check(preset, mapping, factor);
 }
 
+TEST_F(Switches, AnOffsetNoGreaterThanRoundingIsReported) {
+    const auto check = [&](const char* preset, const std::vector<std::string>& camera, double factor, double units,
+                           const char* fixed_by) {
+        SCOPED_TRACE(std::string(preset) + " " + std::to_string(factor) + " " + std::to_string(units));
+        const auto [usual, scene] = testing::preset_named(preset);
+        const Params placed = *apply_settings(*apply_settings(usual, camera),
+                                              std::vector<std::string>{"view.samples=0", "shadow.offset=polygon_offset",
+                                                                       "shadow.offset_factor=" + std::to_string(factor),
+                                                                       "shadow.offset_units=" + std::to_string(units)});
+        const Params right = *apply_settings(placed, std::vector<std::string>{"shadow.offset_units=-64"});
+        const int missing_px = pixels_beyond(draw(placed, scene, switches_px), draw(right, scene, switches_px), 8);
+        const std::vector<Problem> problems = problems_of(placed, scene, switches_px);
+        const auto found = std::find_if(problems.begin(), problems.end(),
+                                        [](const Problem& problem) { return problem.id == "shadow.weak_offset"; });
+        EXPECT_EQ(found == problems.end() ? "" : found->fixed_by, fixed_by);
+        EXPECT_EQ(missing_px > 0, *fixed_by != '\0') << missing_px;
+        if (found == problems.end()) return;
+        const Params fixed = *apply_settings(placed, {&found->fixed_by, 1});
+        EXPECT_EQ(pixels_beyond(draw(fixed, scene, switches_px), draw(right, scene, switches_px), 8), 0);
+    };
+    const std::vector<std::string> from_above = {"camera.position=[0.3,9,0.2]", "camera.pitch=-90"};
+    for (const char* const preset : {"opening", "room", "walkthrough", "shadow-any-plane"}) {
+        check(preset, {}, 0.0, -1.0, "shadow.offset_factor=-1.0");
+        check(preset, {}, 0.0, -8.0, "");
+        check(preset, {}, -1.0, 0.0, "");
+        check(preset, {}, -1.0, -1.0, "");
+    }
+    for (const char* const preset : {"opening", "room"}) {
+        check(preset, from_above, -1.0, 0.0, "shadow.offset_units=-1.0");
+        check(preset, from_above, -1.0, -1.0, "");
+    }
+}
+
 TEST_F(Switches, AnOffsetThatKeepsItsSignIsReportedOnlyIfItPushesAway) {
     const auto [usual, scene] = testing::preset_named("opening");
     struct Case {

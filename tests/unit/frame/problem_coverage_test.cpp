@@ -93,6 +93,7 @@ const std::vector<std::vector<std::string>>& box_states() {
         {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true", "reflection.clip=oblique", leaning_wall},
         {"depth.func=gequal"},
         {"depth.mapping=reversed", "depth.reversed_offset=false", "shadow.offset_factor=0.5"},
+        {"shadow.offset_factor=0"},
         {"view.call=1"},
         {"depth.format=d16", "view.samples=4"},
         // S and R by hand. The right ones are [[5.2,-2.6,0,0],[0,0,0,0],[0,-2.2,5.2,0],[0,-1,0,5.2]] and y → −y.

@@ -108,7 +108,7 @@ const std::vector<Case>& cases() {
          "fight",
          box_scene,
          {"shadow.offset_factor=0", "shadow.offset_units=0"},
-         {"shadow.offset_factor=0", "shadow.offset_units=-1"}},
+         {"shadow.offset_factor=0", "shadow.offset_units=-8"}},
         {"shadow",
          "away from the eye",
          box_scene,

@@ -251,10 +251,10 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
                                     "nothing lifts the shadow off its plane: the two depths differ only by rounding, "
                                     "so the surfaces fight"),
                            shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
+    constexpr double least_rounding = 1.5, most_rounding = 2.0;  // in codes, as seen in pictures
     const auto pushes = [&](const DepthOffset& offset) {
-        constexpr double codes_of_rounding = 2.0;
         const auto is_pushed = [&](const Thrown& one) {
-            return codes_of_offset(offset, derived, one.plane.unit_plane) > codes_of_rounding;
+            return codes_of_offset(offset, derived, one.plane.unit_plane) > most_rounding;
         };
         const bool is_even = !has_bent_depth(params.depth) && !thrown.empty();
         return (offset.factor >= 0.0 && offset.units >= 0.0) ||
@@ -269,6 +269,23 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         is_pushed,
         sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"),
         helps ? "shadow.offset_factor" : "");
+    // A slope's share covers the rounding of the slope, and a unit that of the depth itself.
+    const bool covers_rounding = factor <= -0.5 && units <= -1.0;
+    const bool is_measurable = !has_bent_depth(params.depth) && !derived.stored_depth.precision.is_float && !keeps_sign;
+    const auto weak = std::find_if(thrown.begin(), thrown.end(), [&](const Thrown& one) {
+        const double codes = codes_of_offset({factor, units}, derived, one.plane.unit_plane);
+        return !one.cast.has_slip && codes > -least_rounding && codes <= most_rounding;
+    });
+    if (hides && by_polygon && is_measurable && !is_pushed && !covers_rounding && weak != thrown.end())
+        tell.broken(
+            true,
+            sentence("shadow.weak_offset",
+                     "the polygon offset of {codes}, in codes of depth, is no greater than rounding: shadow and plane "
+                     "may fight",
+                     "codes"_a = figures(codes_of_offset({factor, units}, derived, weak->plane.unit_plane), 2)),
+            units <= -1.0    ? "shadow.offset_factor"
+            : factor <= -0.5 ? "shadow.offset_units"
+                             : "shadow.offset=no_depth_test");
     tell.broken(
         hides && shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
         sentence("shadow.writes_depth",
