@@ -84,19 +84,31 @@ TEST_F(DepthPanel, DecalsOfferThreeMethods) {
 }
 
 TEST_F(DepthPanel, ASecondPictureTakesHalfOfTheView) {
-    const Rect whole = desk.layout().camera;
-    params.view.beside.shows = Beside::depth;
-    desk.settle();
-    const Layout layout = desk.layout();
-    EXPECT_EQ(layout.camera.size_px(), layout.beside.size_px());
-    EXPECT_EQ(layout.camera.min.x, whole.min.x);
-    EXPECT_NEAR(layout.beside.max.x, whole.max.x, 2.0F);
-    EXPECT_LT(layout.camera.max.x, layout.beside.min.x);
+    const auto divided = [&](ImVec2 window_px) {
+        ImGui::GetIO().DisplaySize = window_px;
+        params.view.beside.shows = Beside::nothing;
+        desk.settle();
+        const Rect whole = desk.layout().camera;
+        params.view.beside.shows = Beside::depth;
+        desk.settle();
+        const Layout layout = desk.layout();
+        EXPECT_EQ(layout.camera.size_px(), layout.beside.size_px());
+        EXPECT_EQ(layout.camera.min.x, whole.min.x);
+        EXPECT_EQ(layout.camera.min.y, whole.min.y);
+        EXPECT_NEAR(layout.beside.max.x, whole.max.x, 2.0F);
+        EXPECT_NEAR(layout.beside.max.y, whole.max.y, 2.0F);
+        return layout;
+    };
+    const Layout above = divided({1600, 1500}), beside = divided({1600, 900});
+    EXPECT_LT(beside.camera.max.x, beside.beside.min.x);
+    EXPECT_LT(above.camera.max.y + above.header_height, above.beside.min.y);  // the second picture has a title, too
+    const Rect whole{beside.camera.min, beside.beside.max};
     EXPECT_TRUE(ui.has("beside/beside view"));
     params.view.beside.layout = BesideLayout::divider;
     desk.settle();
     EXPECT_TRUE(desk.layout().beside.empty());
-    EXPECT_EQ(desk.layout().camera.size_px(), whole.size_px());
+    EXPECT_NEAR(desk.layout().camera.width(), whole.width(), 2.0F);
+    EXPECT_EQ(desk.layout().camera.height(), whole.height());
 }
 
 TEST_F(DepthPanel, DraggingTheDividerLeavesTheCameraAlone) {

@@ -21,14 +21,21 @@ void cut_caption(Layout& layout, float height, float gap) {
     layout.camera.max.y = layout.caption.min.y - std::round(gap);
 }
 
+/// Divides the camera's picture into two of the same size, so that corresponding pixels are in the same place: side by
+/// side or one above the other, whichever brings their shape closer to 3 : 2.
 void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     if (!arrangement.halves) return;
-    layout.beside = layout.camera;
-    const float middle = (layout.camera.min.x + layout.camera.max.x) * 0.5F;
-    // Make both pictures the same size, so that corresponding pixels are in the same place.
-    const float width = std::floor((layout.camera.width() - std::max(gap, 2.0F)) * 0.5F);
-    layout.camera.max.x = layout.camera.min.x + width;
-    layout.beside.min.x = std::max(middle, layout.beside.max.x - width);
+    const Rect whole = layout.camera;
+    layout.beside = whole;
+    if (whole.width() < 1.5F * whole.height()) {
+        const float height = std::floor((whole.height() - layout.header_height - std::max(gap, 2.0F)) * 0.5F);
+        layout.camera.max.y = whole.min.y + height;
+        layout.beside.min.y = whole.max.y - height;
+        return;
+    }
+    const float width = std::floor((whole.width() - std::max(gap, 2.0F)) * 0.5F);
+    layout.camera.max.x = whole.min.x + width;
+    layout.beside.min.x = std::max((whole.min.x + whole.max.x) * 0.5F, whole.max.x - width);
     layout.beside.max.x = layout.beside.min.x + width;
 }
 

@@ -52,7 +52,7 @@ struct Arrangement {
     bool prefers_lower_right = false;  ///< if only one of the lower views fits
     float least_lower = 240.0F;        ///< least width of each lower view if both are shown
     float least_area = 0.0F;           ///< least area of each lower view if both are shown, in square design pixels
-    bool halves = false;               ///< two pictures side by side instead of one in the camera view
+    bool halves = false;               ///< two pictures instead of one in the camera view
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view
     StageViews stage;                  ///< when presenting
