@@ -15,6 +15,11 @@ using inner::Px;
 constexpr float frame_margin = 3.0F;  ///< around a target, in design pixels
 constexpr int search_frames = 4;  ///< folded sections need a frame to open before their content can scroll into view
 
+/// The width of a frame's line, in pixels.
+float FrameStroke() {
+    return std::max(std::round(Px(2) * CurrentContext().palette.stroke), 2.0F);
+}
+
 Targets& Current() {
     return CurrentContext().targets;
 }
@@ -124,7 +129,9 @@ void MarkLine(std::string_view name) {
 }
 
 void MarkLine(std::string_view name, ImVec2 min, ImVec2 max) {
-    MarkTarget(name, ImVec2(min.x, min.y + Px(frame_margin)), ImVec2(max.x, max.y - Px(frame_margin)));
+    // The frame's stroke is just outside the line: thick strokes must not cover letters.
+    const float inset = Px(frame_margin) - 0.5F * FrameStroke();
+    MarkTarget(name, ImVec2(min.x, min.y + inset), ImVec2(max.x, max.y - inset));
 }
 
 void Plate(const char* label, ImVec2 size) {
@@ -178,14 +185,14 @@ void DrawHighlights(float bottom) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const float margin = Px(frame_margin), width = std::round(Px(2) * palette.stroke);
+    const float margin = Px(frame_margin);
     draw->PushClipRectFullScreen();
     for (const Targets::Found& found : targets.found) {
         const ImVec2 min(std::floor(std::max(found.min.x - margin, 0.0F)),
                          std::floor(std::max(found.min.y - margin, 0.0F))),
             max(std::ceil(std::min(found.max.x + margin, screen.x)),
                 std::ceil(std::min(found.max.y + margin, screen.y)));
-        draw->AddRect(min, max, palette.accent, Px(3), 0, std::max(width, 2.0F));
+        draw->AddRect(min, max, palette.accent, Px(3), 0, FrameStroke());
         inner::RecordRect("highlight", min, max);
     }
     draw->PopClipRect();
