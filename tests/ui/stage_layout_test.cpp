@@ -202,6 +202,9 @@ TEST_F(FreeStage, EveryPresetFitsAWideStage) {
     expect_good_stages({1920, 1080}, Language::en);
 }
 TEST_F(FreeStage, EveryPresetFitsANarrowStage) {
+    expect_good_stages({1024, 768}, Language::en);
+}
+TEST_F(FreeStage, EveryPresetFitsANarrowStageInKorean) {
     expect_good_stages({1024, 768}, Language::ko);
 }
 

@@ -65,10 +65,12 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     arrangement.maximized = layout.big;
     Telling& telling = arrangement.telling;
     telling.matrices = static_cast<int>(matrices.size());
-    constexpr float with_numbers = 147.0F, with_symbols = 230.0F, heading = 40.0F, line = 20.0F;
+    constexpr float with_numbers = 147.0F, with_symbols = 230.0F, heading = 40.0F, line = 20.0F, pair = 30.0F;
     const int lines = lines_of(point_numbers(matrices, params.shadow.enabled, params.reflection.enabled));
     const float follow = heading + line * static_cast<float>(lines);
-    telling.short_matrices = telling.tall_matrices = 4.0F;
+    const bool has_pair =
+        (is_named(matrices, "S") || is_named(matrices, "R")) && (params.planes.size() > 1 || params.lights.size() > 1);
+    telling.short_matrices = telling.tall_matrices = 4.0F + (has_pair ? pair : 0.0F);
     telling.first_symbols = 0.0F;
     for (const std::string& name : matrices) {
         telling.short_matrices += is_matrix(name) ? with_numbers : name == "follow" ? follow : display_code_height;
