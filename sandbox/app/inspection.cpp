@@ -51,9 +51,12 @@ void Inspection::explain(const ShownFrame& shown, const Session& session) {
 DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {
     DepthData data = inspector_.data();
     tells_fighting_ = is_any_shown(shown.params, &LowerView::counts_fighting);
-    if (tells_fighting_)
-        data.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(),
-                                         shown.camera_px, at_once, !is_held);
+    if (tells_fighting_) {
+        Params counted = session.params;  // without animations, which would start the count again in each frame
+        counted.projection = shown.params.projection;
+        data.fighting = fighting_.update(renderer_, counted, session.scene(), session.scene_version(), shown.camera_px,
+                                         at_once, !is_held);
+    }
     return data;
 }
 

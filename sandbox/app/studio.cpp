@@ -34,6 +34,14 @@ double sooner(double a_s, double b_s) {
     return a_s < 0.0 || b_s < 0.0 ? std::max(a_s, b_s) : std::min(a_s, b_s);
 }
 
+/// Returns a lens that shows as much width as at the least aspect ratio; 0: the same lens.
+ProjectionParams widened(ProjectionParams lens, double aspect, double least_aspect) {
+    if (least_aspect <= 0.0) return lens;
+    lens.fovy = widened_fovy(lens.fovy, aspect, least_aspect);
+    lens.height *= std::max(1.0, least_aspect / aspect);
+    return lens;
+}
+
 }  // namespace
 
 Studio::Studio(Renderer& renderer, Session opened)
@@ -105,12 +113,7 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     const bool knows_driver = is_interactive && drawn_.scene_version >= 0;
     const Viewport viewport = knows_driver ? renderer_.viewport(shown_.camera_px, shown_.params.depth.format)
                                            : renderer_.viewport(shown_.camera_px, shown_.params, session.scene());
-    if (const double least = workbench.stage.least_aspect; least > 0.0) {
-        ProjectionParams& lens = shown_.params.projection;
-        lens = session.params.projection;
-        lens.fovy = widened_fovy(lens.fovy, viewport.aspect(), least);
-        lens.height *= std::max(1.0, least / viewport.aspect());
-    }
+    shown_.params.projection = widened(session.params.projection, viewport.aspect(), workbench.stage.least_aspect);
     Drawn wanted{session.params,
                  session.scene_version(),
                  shown_.params,
@@ -147,7 +150,8 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
 }
 
 void Studio::derive_before(const Viewport& viewport) {
-    const Params before = animated(session.before_latest_edit(), moment_);
+    Params before = animated(session.before_latest_edit(), moment_);
+    before.projection = widened(before.projection, viewport.aspect(), workbench.stage.least_aspect);
     const bool is_same_room = session.scene_version() == drawn_.scene_version && viewport == before_of_.viewport;
     if (is_same_room && before == before_of_.params) return;
     // When an edit begins, the state before the edit is the one that was last drawn.

@@ -22,7 +22,7 @@ std::vector<CardPicture> Workbench::wanted_cards() {
 
 namespace {
 
-/// Returns whether P or a control of the lens is shown.
+/// Returns whether a state itself lists P or a control of the lens.
 bool shows_lens(const std::vector<std::string>& matrices, const std::vector<std::string>& controls) {
     const auto is_of_lens = [](const std::string& path) {
         return path == "projection.fovy" || path == "projection.aspect";
@@ -112,9 +112,11 @@ void Workbench::set_stage(const Session& session) {
     if (guide.is_shown()) past.note(*guide.run());
     set_lesson_stage(guide, presenter.is_on(), stage, views, arrangement.stage);
     if (!guide.is_shown()) {
-        const bool keeps_lens = !presenter.is_on() || session.params.projection.aspect > 0.0 ||
-                                session.params.camera_overrides.clip_from_view ||
-                                shows_lens(listed_matrices(session), session.params.view.layout.controls);
+        const Params& params = session.params;
+        const LayoutParams& listed = params.view.layout;
+        const bool keeps_lens = !presenter.is_on() || params.projection.aspect > 0.0 ||
+                                params.camera_overrides.clip_from_view || params.slips.degrees_as_radians ||
+                                shows_lens(listed.matrices, listed.controls);
         stage.least_aspect = keeps_lens ? 0.0 : Stage::written_for;
     }
     std::vector<std::string>& covered = widgets.targets.covered;

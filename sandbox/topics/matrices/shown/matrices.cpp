@@ -188,6 +188,8 @@ void show_projection(const Column& column) {
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
     const std::string aspect =
         number_text(derived.aspect, derived.aspect < 9.995 ? 2 : 1);  // four characters, which fit
+    const double fovy_deg = glm::degrees(2.0 * std::atan(1.0 / derived.clip_from_view[1][1]));
+    const bool is_widened = column.session.params.projection.fovy + 0.05 < fovy_deg;  // on a narrow stage
     show_overridable(
         {marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
          column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)), camera_roles(),
@@ -197,6 +199,8 @@ void show_projection(const Column& column) {
         : params.projection.is_orthographic() ? say("aspect {aspect}", "aspect"_a = aspect)
         : params.slips.degrees_as_radians
             ? say("c = cot(½ · {fovy} rad) (mistake)", "fovy"_a = number_text(params.projection.fovy, 1))
+        : is_widened && !params.camera_overrides.clip_from_view
+            ? say("c = cot(½ · {fovy}°), aspect {aspect}", "fovy"_a = number_text(fovy_deg, 1), "aspect"_a = aspect)
             : say("c = cot(½ fovy), aspect {aspect}", "aspect"_a = aspect),
         params.camera_overrides.clip_from_view, column.pastes);
 }
