@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/picture.h"
+#include "app/resting_window.h"
 #include "app/studio.h"
 #include "golden/states.h"
 #include "lesson/lesson.h"
@@ -181,6 +182,7 @@ TEST_F(WindowTest, ANarrowStageShowsTheWidthOfAWideOneUnlessItIsAboutTheLens) {
         for (int frame = 0; frame < 12; ++frame) studio.frame({.size_px = {1024, 768}, .input = {}});
         const glm::dmat4& p = studio.shown().derived.clip_from_view;
         EXPECT_EQ(studio.session.params.projection, state.params.projection) << "the state keeps its lens";
+        EXPECT_EQ(studio.shown().before.clip_from_view, p) << "no entry is marked as changed";
         return std::pair(2.0 / p[0][0], p[1][1] / p[0][0]);
     };
     const LoadedState letters = state_with({}, "letters");
@@ -190,9 +192,30 @@ TEST_F(WindowTest, ANarrowStageShowsTheWidthOfAWideOneUnlessItIsAboutTheLens) {
     EXPECT_NEAR(on_stage, wanted, 1e-9);
     const auto [in_window, its_aspect] = width_over_distance(letters, false);
     EXPECT_NEAR(in_window, wanted / Stage::written_for * its_aspect, 1e-9);
-    const LoadedState with_fovy = state_with({R"(view.layout={"controls": ["projection.fovy"]})"}, "letters");
-    const auto [of_lens, lens_aspect] = width_over_distance(with_fovy, true);
-    EXPECT_NEAR(of_lens, wanted / Stage::written_for * lens_aspect, 1e-9);
+    for (const char* const about : {R"({"controls": ["projection.fovy"]})", R"({"matrices": ["P"]})"}) {
+        const LoadedState of_lens = state_with({"view.layout=" + std::string(about)}, "letters");
+        const auto [width, lens_aspect] = width_over_distance(of_lens, true);
+        EXPECT_NEAR(width, wanted / Stage::written_for * lens_aspect, 1e-9) << about;
+    }
+}
+
+TEST_F(WindowTest, TheFightingTableCountsThePairsThatANarrowStageShows) {
+    const LoadedState state = state_with({}, "depth-fighting");  // the stage shows P, which the preset does not list
+    const Scene scene = scene_of(state);
+    RestingWindow window(renderer(), state, scene);
+    PictureRequest request;
+    request.size_px = {1024, 768};
+    request.presents = true;
+    ASSERT_TRUE(window.rest(request));
+    std::size_t counted = 0;
+    bool says_angle = false;
+    for (const SeenText& seen : window.texts()) {
+        EXPECT_NE(seen.text, "–") << "a pair is not in the picture";
+        counted += seen.text.ends_with('%') && seen.text.find('/') == std::string::npos ? 1U : 0U;
+        says_angle = says_angle || seen.text.starts_with("c = cot(½ · 7");  // 78.6°, instead of the state's 40°
+    }
+    EXPECT_EQ(counted, 12U) << "a prediction and a count for each of six pairs";
+    EXPECT_TRUE(says_angle);
 }
 
 /// The cost chart is redrawn for its file while the window continues unchanged.
