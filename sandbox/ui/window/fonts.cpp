@@ -103,7 +103,7 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type)
 
 void keep_fonts() {
     ImFontAtlas*& own = ImGui::GetIO().Fonts;
-    if (own != latest.atlas) return;
+    if (own != latest.atlas || own->Fonts.empty()) return;  // a new atlas may have the address of a deleted one
     latest.atlas = nullptr;
     latest.kept.reset(std::exchange(own, IM_NEW(ImFontAtlas)()));
     ImGui::GetIO().FontDefault = nullptr;
