@@ -51,14 +51,19 @@ int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     return failure;
 }
 
-/// Opens a new file next to the target; on failure, returns −1, sets errno and leaves `made` empty.
+/// Opens a new file next to the target; on failure, returns −1, sets errno and leaves `made` empty. Notes the file as
+/// unfinished before it exists, so that a signal at any moment removes it.
 int open_new(const fs::path& target, fs::path& made) {
     constexpr int tries = 100;
     for (int i = 0; i < tries; ++i) {
         made = name_beside(target);
+        note_unfinished(made);
         const int file = ::open(made.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
         if (file >= 0) return file;
-        if (errno != EEXIST) break;
+        const int failure = errno;
+        forget_unfinished(made);
+        errno = failure;
+        if (failure != EEXIST) break;
     }
     made.clear();
     return -1;
@@ -115,7 +120,6 @@ public:
     int write(std::span<const std::uint8_t> bytes) {
         const int file = open_new(target_, beside_);
         if (file < 0) return errno;
-        note_unfinished(beside_);
         struct stat old {};
         if (::stat(target_.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777U);
         return write_all(file, bytes, true);
