@@ -97,18 +97,17 @@ TEST_F(DepthPanel, ASecondPictureTakesHalfOfTheView) {
         EXPECT_EQ(layout.camera.min.y, whole.min.y);
         EXPECT_NEAR(layout.beside.max.x, whole.max.x, 2.0F);
         EXPECT_NEAR(layout.beside.max.y, whole.max.y, 2.0F);
-        return layout;
+        return std::pair(layout, whole);
     };
-    const Layout above = divided({1600, 1500}), beside = divided({1600, 900});
+    const Layout above = divided({1600, 1500}).first;
+    const auto [beside, whole] = divided({1600, 900});
     EXPECT_LT(beside.camera.max.x, beside.beside.min.x);
     EXPECT_LT(above.camera.max.y + above.header_height, above.beside.min.y);  // the second picture has a title, too
-    const Rect whole{beside.camera.min, beside.beside.max};
     EXPECT_TRUE(ui.has("beside/beside view"));
     params.view.beside.layout = BesideLayout::divider;
     desk.settle();
     EXPECT_TRUE(desk.layout().beside.empty());
-    EXPECT_NEAR(desk.layout().camera.width(), whole.width(), 2.0F);
-    EXPECT_EQ(desk.layout().camera.height(), whole.height());
+    EXPECT_EQ(desk.layout().camera.size_px(), whole.size_px());
 }
 
 TEST_F(DepthPanel, DraggingTheDividerLeavesTheCameraAlone) {

@@ -231,6 +231,28 @@ double codes_of_offset(const DepthOffset& offset, const Derived& derived, const 
            offset.units * stored.unit_codes.value_or(1.0);
 }
 
+constexpr double least_rounding = 1.5, most_rounding = 2.0;  ///< in codes, as seen in pictures
+
+/// Reports a polygon offset no greater than rounding.
+void say_weak_offset(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Thrown>& thrown) {
+    const DepthOffset offset{params.shadow.offset_factor, params.shadow.offset_units};
+    // A slope's share covers the rounding of the slope, and a unit that of the depth itself.
+    const bool covers_rounding = offset.factor <= -0.5 && offset.units <= -1.0;
+    if (covers_rounding || has_bent_depth(params.depth) || derived.stored_depth.precision.is_float) return;
+    for (const Thrown& one : thrown) {
+        const double codes = codes_of_offset(offset, derived, one.plane.unit_plane);
+        if (one.cast.has_slip || codes <= -least_rounding || codes > most_rounding) continue;
+        return tell.broken(true,
+                           sentence("shadow.weak_offset",
+                                    "the polygon offset of {codes}, in codes of depth, is no greater than rounding: "
+                                    "shadow and plane may fight",
+                                    "codes"_a = figures(codes, 2)),
+                           offset.units <= -1.0    ? "shadow.offset_factor"
+                           : offset.factor <= -0.5 ? "shadow.offset_units"
+                                                   : "shadow.offset=no_depth_test");
+    }
+}
+
 /// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Thrown>& thrown) {
     const ShadowParams& shadow = params.shadow;
@@ -251,7 +273,6 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
                                     "nothing lifts the shadow off its plane: the two depths differ only by rounding, "
                                     "so the surfaces fight"),
                            shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
-    constexpr double least_rounding = 1.5, most_rounding = 2.0;  // in codes, as seen in pictures
     const auto pushes = [&](const DepthOffset& offset) {
         const auto is_pushed = [&](const Thrown& one) {
             return codes_of_offset(offset, derived, one.plane.unit_plane) > most_rounding;
@@ -269,23 +290,7 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         is_pushed,
         sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"),
         helps ? "shadow.offset_factor" : "");
-    // A slope's share covers the rounding of the slope, and a unit that of the depth itself.
-    const bool covers_rounding = factor <= -0.5 && units <= -1.0;
-    const bool is_measurable = !has_bent_depth(params.depth) && !derived.stored_depth.precision.is_float && !keeps_sign;
-    const auto weak = std::find_if(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-        const double codes = codes_of_offset({factor, units}, derived, one.plane.unit_plane);
-        return !one.cast.has_slip && codes > -least_rounding && codes <= most_rounding;
-    });
-    if (hides && by_polygon && is_measurable && !is_pushed && !covers_rounding && weak != thrown.end())
-        tell.broken(
-            true,
-            sentence("shadow.weak_offset",
-                     "the polygon offset of {codes}, in codes of depth, is no greater than rounding: shadow and plane "
-                     "may fight",
-                     "codes"_a = figures(codes_of_offset({factor, units}, derived, weak->plane.unit_plane), 2)),
-            units <= -1.0    ? "shadow.offset_factor"
-            : factor <= -0.5 ? "shadow.offset_units"
-                             : "shadow.offset=no_depth_test");
+    if (hides && by_polygon && !is_pushed && !keeps_sign) say_weak_offset(tell, params, derived, thrown);
     tell.broken(
         hides && shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
         sentence("shadow.writes_depth",
