@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+
+#include "platform/sanitized.h"
 
 namespace viewing::testing {
 
@@ -15,6 +18,13 @@ inline int trials(int usual) {
 /// Whether VIEWING_LONG_TESTS is set, so that a test that covers a part of something covers all of it.
 inline bool is_long() {
     return std::getenv("VIEWING_LONG_TESTS") != nullptr;
+}
+
+/// Whether a test that walks through a list takes the entry at `index`: every entry or, under sanitizers, which are ten
+/// times as slow, every fourth. VIEWING_TEST_TURN=N says with which one to begin.
+inline bool takes(std::size_t index) {
+    const char* const turn = std::getenv("VIEWING_TEST_TURN");
+    return !is_sanitized || is_long() || index % 4 == static_cast<std::size_t>(turn ? std::atoi(turn) : 0) % 4;
 }
 
 }  // namespace viewing::testing

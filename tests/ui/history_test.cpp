@@ -1,5 +1,6 @@
 // Undo and redo in use: a drag, a flight or a typed number counts as one step.
 #include "desk.h"
+#include "trials.h"
 
 namespace viewing::test {
 namespace {
@@ -97,7 +98,9 @@ TEST_F(HistoryTest, IdleFramesChangeNothing) {
 }
 
 TEST(History, ShowingAPresetDoesNotChangeIt) {
+    std::size_t index = 0;
     for (const NamedFile& preset : presets()) {
+        if (!testing::takes(index++)) continue;
         Desk desk({1280, 720}, preset.name);
         const Params before = load_state(preset.name)->params;
         desk.ui.frames(30);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "exercise_desk.h"
+#include "trials.h"
 #include "ui/window/search_entries.h"
 
 namespace viewing::test {
@@ -310,6 +311,7 @@ TEST_F(SearchTest, NoStepOffersCoveredSettings) {
         const Result<Lesson> lesson = load_lesson(id);
         ASSERT_TRUE(lesson);
         for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+            if (!testing::takes(step)) continue;
             begin(id, step, step % 2 == 0);
             desk.press_with(Key::ctrl, Key::p);
             ui.frames(2);

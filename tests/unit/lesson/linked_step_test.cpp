@@ -3,6 +3,7 @@
 
 #include "lesson/linked_step.h"
 #include "platform/file.h"
+#include "trials.h"
 
 namespace viewing {
 namespace {
@@ -16,7 +17,9 @@ std::string link_trouble(const std::string& text) {
 
 TEST(LinkedStep, EveryStepRoundTripsThroughItsLink) {
     ASSERT_GT(lessons().size(), 5U);
+    std::size_t index = 0;
     for (const LessonFile& file : lessons()) {
+        if (!testing::takes(index++)) continue;
         const Lesson lesson = *load_lesson(file.id);
         for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
             SCOPED_TRACE(lesson.id + " " + std::to_string(step));

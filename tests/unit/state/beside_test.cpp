@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "state/file/state_json.h"
+#include "trials.h"
 #include "unit/state/random_params.h"
 
 namespace viewing {
@@ -59,7 +60,7 @@ TEST(BesideSettings, ShowAnyOtherStateOfTheScene) {
     constexpr unsigned seed = 3507;
     RecordProperty("seed", seed);
     testing::RandomParams random(seed);
-    for (int trial = 0; trial < 200; ++trial) {
+    for (int trial = 0; trial < testing::trials(is_sanitized ? 50 : 200); ++trial) {
         Params params = random.make(), other = random.make();
         clamp_to_ranges(params);
         clamp_to_ranges(other);
