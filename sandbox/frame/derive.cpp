@@ -233,6 +233,15 @@ glm::dmat4 projection_without_hand(const Params& params, const Derived& derived)
     return projection_of(own, aspect_of(own, derived.view_aspect), derived.clip_zero_to_one);
 }
 
+double w_between(const DerivedPlane& plane, const CastShadow& cast) {
+    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
+    const double height = is_parallel_light(cast.light_world)
+                              ? 1.0
+                              : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
+    const glm::dvec4 between(plane.patch.center + height * glm::dvec3(towards_light), 1.0);
+    return cast.sign * (cast.shadowed_world_from_world * between).w;
+}
+
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport) {
     Derived derived;
     derive_camera(derived, params, viewport);

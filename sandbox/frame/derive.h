@@ -69,6 +69,9 @@ struct DerivedPlane {
     std::vector<CastShadow> shadows;            ///< one per light, in order
 };
 
+/// Returns the w that the uploaded matrix gives a point between the light and the plane.
+double w_between(const DerivedPlane& plane, const CastShadow& cast);
+
 struct Derived {
     double aspect = 1.0;                       ///< aspect ratio of P
     glm::ivec2 view_px{1, 1};                  ///< size of the view

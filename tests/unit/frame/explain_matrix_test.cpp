@@ -78,8 +78,10 @@ struct MatrixCase {
     char named = 0;
 };
 
-dmat4 diagonal(double x, double y, double z) {
-    return glm::scale(dmat4(1.0), {x, y, z});
+dmat4 diagonal(double x, double y, double z, double w = 1.0) {
+    dmat4 made = glm::scale(dmat4(1.0), {x, y, z});
+    made[3][3] = w;
+    return made;
 }
 dmat4 with_row_of_translation(dmat4 m) {
     for (int axis = 0; axis < 3; ++axis) std::swap(m[axis][3], m[3][axis]);
@@ -123,6 +125,20 @@ const MatrixCase spoiled_matrices[] = {
      }},
     {"P left-handed", 'P', F::left_handed,
      [](const Sample& x, Random&) { return glm::perspectiveLH_NO(glm::radians(x.fovy), x.aspect, x.near, x.far); }},
+    {"P that lost the sign of −1", 'P', F::lost_sign,
+     [](const Sample& x, Random&) { return diagonal(1, 1, 1, -1) * x.p; }},
+    {"P of another lens that lost the sign of −1", 'P', F::lost_sign,
+     [](const Sample& x, Random&) {
+         return diagonal(1, 1, 1, -1) * glm::perspectiveRH_NO(glm::radians(x.fovy), x.aspect, 1.5 * x.near, x.far);
+     }},
+    {"P of another lens, left-handed", 'P', F::left_handed,
+     [](const Sample& x, Random&) {
+         return glm::perspectiveLH_NO(glm::radians(x.fovy), x.aspect, 1.5 * x.near, x.far);
+     }},
+    {"−P", 'P', F::negated, [](const Sample& x, Random&) { return -x.p; }},
+    {"−V", 'V', F::negated, [](const Sample& x, Random&) { return -x.v; }, 'V'},
+    {"−3 S", 'S', F::negated, [](const Sample& x, Random&) { return -3.0 * x.s; }},
+    {"−R", 'R', F::negated, [](const Sample& x, Random&) { return -x.r; }},
     {"S transposed", 'S', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.s); }},
     {"S of another light", 'S', F::other_light,
      [](const Sample& x, Random& random) {
@@ -148,7 +164,7 @@ const MatrixCase right_matrices[] = {
     {"C, named", 'C', F::none, [](const Sample& x, Random&) { return x.c; }, 'C'},
     {"P", 'P', F::none, [](const Sample& x, Random&) { return x.p; }},
     {"S", 'S', F::none, [](const Sample& x, Random&) { return x.s; }},
-    {"−3 S", 'S', F::none, [](const Sample& x, Random&) { return -3.0 * x.s; }},
+    {"3 S", 'S', F::none, [](const Sample& x, Random&) { return 3.0 * x.s; }},
     {"R", 'R', F::none, [](const Sample& x, Random&) { return x.r; }},
     {"V of another camera", 'V', F::different,
      [](const Sample& x, Random&) { return glm::lookAtRH(x.eye + dvec3(0, 1, 0), x.center, x.up); }},

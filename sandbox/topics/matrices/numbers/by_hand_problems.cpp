@@ -8,20 +8,10 @@
 #include "frame/problems.h"
 #include "frame/say.h"
 #include "text/numbers.h"
-#include "topics/matrices/numbers/explain_matrix.h"
+#include "topics/matrices/numbers/take_matrix.h"
 
 namespace viewing {
 namespace {
-
-/// Returns the w that the uploaded matrix gives a point between the light and the plane.
-double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
-    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
-    const double height = is_parallel_light(cast.light_world)
-                              ? 1.0
-                              : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
-    const glm::dvec4 between(plane.patch.center + height * glm::dvec3(towards_light), 1.0);
-    return cast.sign * (cast.shadowed_world_from_world * between).w;
-}
 
 /// A relative tolerance, since entries may be typed with only five digits.
 constexpr double by_hand_tolerance = 1e-4;
@@ -157,6 +147,12 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
                 "{matrix} entered by hand is filled from a normal that is not a unit vector: divide (a, b, c, d) "
                 "by |n| first",
                 "matrix"_a = matrix);
+        case MatrixFault::negated:
+            if (is_shadow) return std::nullopt;  // by_hand.negative_w
+            return sentence("by_hand.negated_mirror",
+                            "{matrix} entered by hand is −R: it sends points to the right places, but with a negative "
+                            "w, so GL clips the whole mirror image",
+                            "matrix"_a = matrix);
         case MatrixFault::plus_2ab:
             return sentence(
                 "by_hand.plus_2ab",
@@ -221,11 +217,12 @@ void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& deriv
                         "matrix"_a = matrix));
     if (!params.shadow.enabled || !of.receives_shadow || !cast.reaches(of.eye_side)) return;
     const std::optional<Sentence> what = recognized(explained(s, 'S', params, derived, plane, light), s, 'S', matrix);
+    const bool is_first = plane == 0 && light == 0;  // others have no path
     if (what)
-        tell.broken(true, *what, plane == 0 && light == 0 ? "overrides.shadow_from_world" : "");
+        tell.broken(true, *what, is_first ? "overrides.shadow_from_world" : "");
     else
         tell_wrong_shadow(tell, s, of, cast, matrix);
-    const bool is_clipped = !cast.light_in_plane && uploaded_w(of, cast) < 0.0;
+    const bool is_clipped = !cast.light_in_plane && w_between(of, cast) < 0.0;
     tell.broken(is_clipped && cast.sign < 0.0,
                 sentence("by_hand.sign",
                          "{matrix} entered by hand gives points between the light and the plane a positive w, but "
@@ -236,7 +233,8 @@ void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& deriv
                 sentence("by_hand.negative_w",
                          "{matrix} entered by hand gives a negative w to points between the light and the "
                          "plane: clipping removes the shadow; −S is the same projection with a positive w",
-                         "matrix"_a = matrix));
+                         "matrix"_a = matrix),
+                is_first ? setting_of("overrides.shadow_from_world", -s) : "");
 }
 
 }  // namespace

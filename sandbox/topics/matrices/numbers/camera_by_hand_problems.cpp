@@ -14,17 +14,6 @@ namespace {
 
 constexpr double shown = 5.1e-4;  // entries may be typed with the digits that the window shows
 
-std::string setting_of(const char* path, const glm::dmat4& matrix) {
-    std::string text = std::string(path) + "=[";
-    for (int row = 0; row < 4; ++row) {
-        text += row == 0 ? "[" : ", [";
-        for (int column = 0; column < 4; ++column)
-            text += (column == 0 ? "" : ", ") + plain_number(matrix[column][row] + 0.0);
-        text += "]";
-    }
-    return text + "]";
-}
-
 /// Returns the setting that fixes a matrix; if no fix is known, only the field's name, which clears the matrix entered
 /// by hand.
 std::string fix_of(const char* path, const glm::dmat4& matrix, const ExplainedMatrix& found) {
@@ -80,6 +69,14 @@ void tell_view(Sayer& tell, const Params& params, const Derived& derived, const 
                                    "eye"_a = figures_of({&eye.x, 3}, 3), "direction"_a = figures_of({&along.x, 3}, 3)));
     }
     const glm::dvec4 last = glm::transpose(v)[3];
+    const bool has_one_w = glm::dvec3(last) == glm::dvec3(0.0);
+    if (has_one_w && last.w > 0.0 && last.w != 1.0)
+        return tell(true,
+                    sentence("by_hand.view_scales",
+                             "V entered by hand has the last row {row}: w is {w} for every point, as if the scene were "
+                             "scaled about the eye by {scale}",
+                             "row"_a = figures_of({&last.x, 4}, 3), "w"_a = figures(last.w, 3),
+                             "scale"_a = figures(1.0 / last.w, 3)));
     tell.broken(!is_affine(v),
                 sentence("by_hand.view_changes_w",
                          "V entered by hand has the last row {row} instead of (0, 0, 0, 1): w depends on the point, so "

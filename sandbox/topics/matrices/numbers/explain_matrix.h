@@ -18,7 +18,9 @@ enum class MatrixFault {
     transposed,          ///< rows and columns swapped
     translation_in_row,  ///< V, C: the translation is in the last row instead of the last column
     scaled,              ///< V, C: the axes do not have length 1
-    left_handed,         ///< V, C: det −1; P: clip w is z instead of −z
+    left_handed,         ///< V, C: det −1; P: third column negated, so clip w is z instead of −z
+    lost_sign,           ///< P: the last row is (0, 0, 1, 0), so clip w is z instead of −z
+    negated,             ///< all signs are wrong: w is negative
     looks_back,          ///< V: x and z negated, as with lookAtLH
     degrees,             ///< P: fovy in degrees instead of radians
     inverse_aspect,      ///< P: height ÷ width instead of width ÷ height

@@ -31,6 +31,13 @@ FaultWords fault_words(const ExplainedMatrix& found) {
                        : FaultWords{"left_handed",
                                     marked("it is left-handed: w = z, so it shows what is behind the eye"),
                                     marked("negate the third column: in OpenGL, w = −z")};
+        case MatrixFault::lost_sign:
+            return {"lost_sign",
+                    marked("the −1 in its last row lost its sign: w = z, so it shows what is behind the eye"),
+                    marked("make the last row (0, 0, −1, 0)")};
+        case MatrixFault::negated:
+            return {"negated", marked("all its signs are reversed: w is negative, so GL clips everything"),
+                    marked("negate the whole matrix")};
         case MatrixFault::looks_back:
             return {"looks_back",
                     marked("right and back are negated: the camera looks the opposite way, as with lookAtLH"),

@@ -175,14 +175,17 @@ bool explain_pose(ExplainedMatrix& found, const dmat4& m, char named, const Stat
 bool explain_projection(ExplainedMatrix& found, const dmat4& m, char named, const StateMatrices& state,
                         double tolerance) {
     const bool looks_along_z = has_row(m, 3, {0, 0, 1, 0}, tolerance);  // w = z instead of −z
-    const dmat4 p = looks_along_z ? m * flipped({1, 1, -1}) : m;
+    // A left-handed P has the other sign in its third row, too.
+    const bool only_lost_sign = looks_along_z && entry(m, 2, 2) * entry(state.first('P').right, 2, 2) > 0.0;
+    const dmat4 p = only_lost_sign ? flipped({1, 1, 1, -1}) * m : looks_along_z ? m * flipped({1, 1, -1, 1}) : m;
     const bool zero_to_one = is_for_zero_to_one(p, state.params(), tolerance);
     const std::optional<FoundLens> lens = read_lens(p, zero_to_one, tolerance);
     const bool is_expected = named == 'P' || state.params().projection.type == ProjectionType::orthographic;
     if (!lens || (lens->orthographic && !is_expected)) return false;
     found.letter = 'P';
     found.lens = lens;
-    found.fault = looks_along_z                           ? MatrixFault::left_handed
+    found.fault = only_lost_sign                          ? MatrixFault::lost_sign
+                  : looks_along_z                         ? MatrixFault::left_handed
                   : zero_to_one && lens->near < lens->far ? MatrixFault::zero_to_one
                                                           : MatrixFault::different;
     return true;

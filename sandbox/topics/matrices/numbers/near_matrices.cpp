@@ -19,7 +19,9 @@ bool is_same(const glm::dmat4& a, const glm::dmat4& b, double tolerance) {
 
 bool is_same_map(const glm::dmat4& a, const glm::dmat4& b, double tolerance) {
     const double size = largest_entry(b), own = largest_entry(a);
-    return own > 0.0 &&
+    double product = 0.0;
+    for (int column = 0; column < 4; ++column) product += glm::dot(a[column], b[column]);
+    return product > 0.0 &&
            largest_difference_up_to_scale(a, b) <= 2e-6 * size + tolerance * std::max(1.0, 2.0 * size / own);
 }
 

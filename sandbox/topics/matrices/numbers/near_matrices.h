@@ -13,7 +13,7 @@ inline double entry(const glm::dmat4& m, int row, int column) {
 /// float32 rounding.
 bool is_near(double a, double b, double tolerance);
 bool is_same(const glm::dmat4& a, const glm::dmat4& b, double tolerance);
-/// Compares two matrices up to a factor that is not zero.
+/// Compares two matrices up to a positive factor: a negative one changes the sign of w.
 bool is_same_map(const glm::dmat4& a, const glm::dmat4& b, double tolerance);
 bool is_same_direction(const glm::dvec4& a, const glm::dvec4& b, double tolerance);
 bool has_row(const glm::dmat4& m, int row, const glm::dvec4& values, double tolerance);

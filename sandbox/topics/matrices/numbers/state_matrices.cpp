@@ -24,9 +24,9 @@ dmat4 with_translation_in_row(const dmat4& m) {
 
 }  // namespace
 
-dmat4 flipped(const dvec3& signs) {
+dmat4 flipped(const dvec4& signs) {
     dmat4 flip(1.0);
-    for (int axis = 0; axis < 3; ++axis) flip[axis][axis] = signs[axis];
+    for (int axis = 0; axis < 4; ++axis) flip[axis][axis] = signs[axis];
     return flip;
 }
 
@@ -59,13 +59,14 @@ dmat4 StateMatrices::projection(bool zero_to_one, bool reversed, bool degrees, b
 std::vector<Spoiled> spoiled(const StateMatrices& state, const Known& one) {
     using enum MatrixFault;
     const dmat4& right = one.right;
-    std::vector<Spoiled> all{{transposed, glm::transpose(right)}};
+    std::vector<Spoiled> all{{transposed, glm::transpose(right)}, {negated, -right}};
     switch (one.letter) {
         case 'V':
         case 'C':
             all.push_back({translation_in_row, with_translation_in_row(right)});
-            all.push_back({left_handed, one.letter == 'V' ? flipped({1, 1, -1}) * right : right * flipped({1, 1, -1})});
-            if (one.letter == 'V') all.push_back({looks_back, flipped({-1, 1, -1}) * right});
+            all.push_back(
+                {left_handed, one.letter == 'V' ? flipped({1, 1, -1, 1}) * right : right * flipped({1, 1, -1, 1})});
+            if (one.letter == 'V') all.push_back({looks_back, flipped({-1, 1, -1, 1}) * right});
             break;
         case 'P': {
             const bool zero_to_one = state.is_zero_to_one(), reversed_now = state.is_reversed();
@@ -77,7 +78,8 @@ std::vector<Spoiled> spoiled(const StateMatrices& state, const Known& one) {
             if (state.params().projection.type == ProjectionType::perspective)
                 add(degrees, state.projection(zero_to_one, reversed_now, true));
             add(inverse_aspect, state.projection(zero_to_one, reversed_now, false, true));
-            add(left_handed, right * flipped({1, 1, -1}));
+            add(left_handed, right * flipped({1, 1, -1, 1}));
+            if (right[2][3] != 0.0) add(lost_sign, flipped({1, 1, 1, -1}) * right);
             break;
         }
         case 'R': {

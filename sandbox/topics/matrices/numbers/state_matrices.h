@@ -50,6 +50,6 @@ struct Spoiled {
 std::vector<Spoiled> spoiled(const StateMatrices& state, const Known& one);
 
 /// Returns the matrix that scales the axes; −1 flips an axis.
-glm::dmat4 flipped(const glm::dvec3& signs);
+glm::dmat4 flipped(const glm::dvec4& signs);
 
 }  // namespace viewing

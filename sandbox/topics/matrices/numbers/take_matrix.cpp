@@ -6,6 +6,7 @@
 
 #include "geometry/camera.h"
 #include "state/fields.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -104,6 +105,7 @@ bool is_takeable(const ExplainedMatrix& found) {
 }
 
 std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& found) {
+    if (found.fault == MatrixFault::negated) return -pasted;
     if (found.letter != 'V' && found.letter != 'C' && found.letter != 'P') return std::nullopt;
     switch (found.fault) {
         case MatrixFault::inverse:
@@ -120,6 +122,8 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
         case MatrixFault::left_handed:
             // The camera looks along +z: negate the third row of V, or the third column of C or P.
             return found.letter == 'V' ? negated(pasted, 2) : glm::transpose(negated(glm::transpose(pasted), 2));
+        case MatrixFault::lost_sign:
+            return negated(pasted, 3);
         case MatrixFault::looks_back:
             return negated(negated(pasted, 0), 2);
         case MatrixFault::zero_to_one:
@@ -155,6 +159,17 @@ bool take_matrix(Params& params, char letter, const dmat4& matrix, double view_a
     if (letter == 'C') take_camera(taken, matrix);
     if (letter == 'P' && !take_projection(taken, matrix, view_aspect, tolerance)) return false;
     return take_if_legal(params, std::move(taken));
+}
+
+std::string setting_of(const char* path, const glm::dmat4& matrix) {
+    std::string text = std::string(path) + "=[";
+    for (int row = 0; row < 4; ++row) {
+        text += row == 0 ? "[" : ", [";
+        for (int column = 0; column < 4; ++column)
+            text += (column == 0 ? "" : ", ") + plain_number(matrix[column][row] + 0.0);
+        text += "]";
+    }
+    return text + "]";
 }
 
 bool enter_by_hand(Params& params, char letter, const dmat4& matrix) {

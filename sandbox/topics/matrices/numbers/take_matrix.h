@@ -21,6 +21,9 @@ std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const Explained
 /// no state may have.
 bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);
 
+/// Returns the setting that enters a matrix by hand: "overrides.shadow_from_world=[[…], …]".
+std::string setting_of(const char* path, const glm::dmat4& matrix);
+
 /// Enters a matrix by hand, right or wrong: in place of V, P, or the chosen plane's and light's S or R; for a C, its
 /// inverse in place of V. Returns false for values that no state may have and for a C without an inverse.
 bool enter_by_hand(Params& params, char letter, const glm::dmat4& matrix);
