@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace viewing {
 namespace {
 
@@ -28,6 +30,28 @@ TEST(WorstPair, IsTheOneWithMostPixelsAndItsPlace) {
     EXPECT_NEAR(worst->x, 4.0 / 20.0, 1e-12);
     EXPECT_NEAR(worst->y, 6.0 / 10.0, 1e-12);
     EXPECT_FALSE(worst_pair(reference, reference));
+}
+
+/// A quad that ends at x = 10 + `beyond` pixels, drawn one pixel too wide in one row.
+std::int64_t wrong_beside_edge(double beyond) {
+    IdImage reference(20, 10), image(20, 10);
+    const double right = (10.0 + beyond) / 10.0 - 1.0;
+    const std::vector<Polygon> drawn{*make_polygon({{-1, -1, 0}, {right, -1, 0}, {right, 1, 0}, {-1, 1, 0}}, 0, 1),
+                                     *make_polygon({{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}, 1, 2)};
+    std::fill(reference.ids.begin(), reference.ids.end(), 2);
+    image.ids = reference.ids;
+    image.ids[image.index(10, 4)] = 1;
+    return difference(reference, image, drawn, glm::dmat4(1.0)).different;
+}
+
+/// The pixel's center is at 10.5.
+TEST(Difference, DoesNotCountWhatRoundingAtAnEdgeMayDecide) {
+    EXPECT_EQ(wrong_beside_edge(0.5), 0);
+    EXPECT_EQ(wrong_beside_edge(0.49), 0);
+    EXPECT_EQ(wrong_beside_edge(0.51), 0);
+    EXPECT_EQ(wrong_beside_edge(0.48), 1);
+    EXPECT_EQ(wrong_beside_edge(0.52), 1);
+    EXPECT_EQ(wrong_beside_edge(5.0), 1);
 }
 
 }  // namespace

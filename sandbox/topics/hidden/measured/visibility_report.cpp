@@ -8,6 +8,7 @@
 #include "state/fields.h"
 #include "topics/hidden/measured/hidden_answers.h"
 #include "topics/hidden/methods/difference.h"
+#include "topics/hidden/numbers/hidden_drawing.h"
 
 namespace viewing {
 namespace {
@@ -131,7 +132,7 @@ private:
     /// objects are compared instead.
     std::int64_t wrong_pixels(const HiddenResult& result) {
         const IdImage image = or_refuse(polygon_ids_drawn(renderer_, params_, derived_, scene_, result));
-        if (!uses_exact_curves(result.request)) return difference(reference_, image).different;
+        if (!uses_exact_curves(result.request)) return difference_from_drawn(reference_, image, result).different;
         return difference(with_ids(reference_, objects_), with_ids(image, objects_)).different;
     }
 

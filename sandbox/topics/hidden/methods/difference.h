@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/id_image.h"
+#include "topics/hidden/methods/polygons.h"
 
 namespace viewing {
 
@@ -19,6 +20,11 @@ struct IdDifference {
 
 /// Compares the IDs of two images, which must have the same size.
 IdDifference difference(const IdImage& reference, const IdImage& image);
+
+/// Compares an image that GL has drawn. GL rounds the corners of `drawn` to 1/256 of a pixel, so it may show either of
+/// two polygons at a pixel's center that is less than 1/64 of a pixel from an edge of one of them.
+IdDifference difference(const IdImage& reference, const IdImage& image, std::span<const Polygon> drawn,
+                        const glm::dmat4& clip_from_world);
 
 /// The pair of polygons with the most wrong pixels: pixels where the hidden one was drawn over the visible one.
 struct WrongPair {

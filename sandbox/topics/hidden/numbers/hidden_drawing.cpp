@@ -107,6 +107,13 @@ HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* pro
     return made;
 }
 
+IdDifference difference_from_drawn(const IdImage& reference, const IdImage& image, const HiddenResult& result) {
+    if (draws_pixels(result.request.visibility)) return difference(reference, image);
+    const glm::dmat4 clip_from_world =
+        part_from_view(result.request.share) * result.request.viewpoint.clip_from_world();
+    return difference(reference, image, *result.fragments, clip_from_world);
+}
+
 DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm::ivec2 size_px) {
     constexpr glm::u8vec4 red(difference_color.r, difference_color.g, difference_color.b, 255), veil(0, 0, 0, 110);
     DifferenceDrawing made{size_px, {}, static_cast<std::int64_t>(differs.size()), 0};
@@ -118,9 +125,8 @@ DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm:
     return made;
 }
 
-DifferenceDrawing difference_drawing(const IdImage& reference, const IdImage& image) {
-    const IdDifference found = difference(reference, image);
-    DifferenceDrawing made = difference_drawing(found.differs, {image.width, image.height});
+DifferenceDrawing difference_drawing(const IdDifference& found, glm::ivec2 size_px) {
+    DifferenceDrawing made = difference_drawing(found.differs, size_px);
     made.compared = found.compared;
     return made;
 }

@@ -90,13 +90,14 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
 }
 
 void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& other) {
-    DifferenceDrawing drawing;
-    if (uses_exact_curves(answer.camera->request) || uses_exact_curves(answer.other->request)) {
-        const std::vector<int> object_of_source = answer.camera->surface->object_of_source();
-        drawing = difference_drawing(with_ids(other, object_of_source), with_ids(camera, object_of_source));
-    } else {
-        drawing = difference_drawing(other, camera);
-    }
+    const bool has_curves = uses_exact_curves(answer.camera->request) || uses_exact_curves(answer.other->request);
+    const std::vector<int> object_of_source =
+        has_curves ? answer.camera->surface->object_of_source() : std::vector<int>();
+    const HiddenResult& drawn = draws_pixels(answer.camera->request.visibility) ? *answer.other : *answer.camera;
+    DifferenceDrawing drawing = difference_drawing(
+        has_curves ? difference(with_ids(other, object_of_source), with_ids(camera, object_of_source))
+                   : difference_from_drawn(other, camera, drawn),
+        {camera.width, camera.height});
     drawing.share = answer.camera->request.share;
     answer.different_pixels = drawing.different;
     answer.compared_pixels = drawing.compared;
