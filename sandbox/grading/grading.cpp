@@ -88,19 +88,31 @@ std::string whose_variant(const std::vector<StudentGrade>& grades, const std::st
     return others == 0 ? first : first + " and " + std::to_string(others) + " more";
 }
 
+/// Returns the verdict on an answer that the program itself never writes: the file was changed by hand.
+Verdict not_an_answer(std::string english, std::string korean = "") {
+    Verdict verdict;
+    verdict.say.by_language[Language::en] = std::move(english);
+    verdict.say.by_language[Language::ko] = std::move(korean);
+    return verdict;
+}
+
 }  // namespace
 
 Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, const Measurer& measurer) {
     LoadedState now = step.start;
     Answer answer;
     if (kind_of(step.ask).is_on_screen) {
-        if (!attempt.is_goal) return Verdict{};
+        if (!attempt.is_goal)
+            return not_an_answer("The file has numbers as the answer, but the exercise needs a state.",
+                                 "파일의 답은 숫자인데, 이 연습 문제의 답은 상태여야 합니다.");
         const Result<Params> changed = changed_start(step, attempt.settings);
-        if (!changed) return Verdict{};
+        if (!changed) return not_an_answer(changed.error());
         now.params = *changed;
     } else {
         const std::optional<Answer> given = answer_in(attempt, step.ask);
-        if (!given) return Verdict{};
+        if (!given)
+            return not_an_answer("The answer in the file does not have the form that the question needs.",
+                                 "파일의 답이 문제에 맞는 형식이 아닙니다.");
         answer = *given;
     }
     Result<Surroundings> numbers = numbers_of(now, step.start.params, measurer);

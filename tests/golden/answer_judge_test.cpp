@@ -82,6 +82,26 @@ TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
     EXPECT_FALSE(is_checking());
 }
 
+/// A file that was changed by hand gets a reason, not only "wrong".
+TEST_F(AnswerJudgeTest, SaysWhyAnAnswerIsNone) {
+    const auto said = [&](const Attempt& attempt) {
+        return judge_attempt(run().step(), attempt, &renderer())->say.in_english();
+    };
+    const auto goal = [](const std::string& setting) {
+        Attempt attempt;
+        attempt.is_goal = true;
+        attempt.settings = {setting};
+        return attempt;
+    };
+    EXPECT_NE(said(goal("depth.format=d32f")).find("depth.format, which the exercise does not allow"),
+              std::string::npos);
+    EXPECT_NE(said(goal("depth.offset.unit=1")).find("no such field"), std::string::npos)
+        << said(goal("depth.offset.unit=1"));
+    Attempt number;
+    number.answer = {1.0};
+    EXPECT_NE(said(number).find("needs a state"), std::string::npos);
+}
+
 TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     set_units(-0.75);
     ASSERT_TRUE(frames_until([&] { return is_checking(); }));
