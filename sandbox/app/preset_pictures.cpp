@@ -39,11 +39,12 @@ Status PresetPictures::draw(Prepared& prepared) {
     return std::monostate{};
 }
 
-PresetPicture PresetPictures::of(const std::string& name) {
-    return of(name, [name] { return load_state(name); });
+PresetPicture PresetPictures::of(const std::string& name, bool waits) {
+    return of(
+        name, [name] { return load_state(name); }, {384, 216}, waits);
 }
 
-PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm::ivec2 size_px) {
+PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm::ivec2 size_px, bool waits) {
     if (std::optional<Result<Prepared>> prepared = preparing_.take()) {
         // A preset that cannot be drawn gets no picture; opening it reports the reason.
         if (!*prepared || !draw(**prepared)) pictures_[wanted_] = {};
@@ -58,7 +59,9 @@ PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm:
             return prepare(name, load, viewport);
         });
     }
-    return {name, nullptr};
+    if (!waits) return {name, nullptr};
+    preparing_.wait(-1.0);
+    return of(name, load, size_px, waits);
 }
 
 }  // namespace viewing

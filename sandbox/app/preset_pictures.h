@@ -23,11 +23,11 @@ public:
 
     /// A function that loads the state for a picture. It is called in the background.
     using Load = std::function<Result<LoadedState>()>;
-    /// Returns a preset's picture, which has no texture while it is being made or if making it fails. Returns no
-    /// picture for "".
-    PresetPicture of(const std::string& name);
+    /// Returns a preset's picture, which has no texture while it is being made or if making it fails. `waits`: makes it
+    /// before returning. Returns no picture for "".
+    PresetPicture of(const std::string& name, bool waits);
     /// Returns the picture of any state, which `load` loads. Keeps the picture under `name`.
-    PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
+    PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px, bool waits);
 
     /// Whether a picture is being made, in which case more frames are needed.
     bool is_busy() const { return preparing_.is_running(); }

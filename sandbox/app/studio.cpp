@@ -177,9 +177,10 @@ void Studio::gather_content(const Surroundings& surroundings) {
     shown_pictures_ = pictures_.textures();
     shown_pictures_.hidden = {shown_.hidden, answer_.fraction(), surroundings.shows_time};
     shown_pictures_.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
-    shown_pictures_.preset = preset_pictures_.of(workbench.wanted_preset_picture());
+    const bool waits = !surroundings.shows_time;
+    shown_pictures_.preset = preset_pictures_.of(workbench.wanted_preset_picture(), waits);
     for (const CardPicture& card : workbench.wanted_cards())
-        shown_pictures_.cards.push_back(preset_pictures_.of(card.key, card.load, card.size_px));
+        shown_pictures_.cards.push_back(preset_pictures_.of(card.key, card.load, card.size_px, waits));
     shown_status_ = status(surroundings.shows_time);
     workbench.views.pinned = shown_.pinned;
     workbench.views.why.told = inspection_.why();

@@ -18,7 +18,7 @@ protected:
     static PresetPicture finished(PresetPictures& pictures, const std::string& name) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         do {
-            const PresetPicture picture = pictures.of(name);
+            const PresetPicture picture = pictures.of(name, false);
             if (!pictures.is_busy()) return picture;
             std::this_thread::yield();
         } while (std::chrono::steady_clock::now() < end);
@@ -37,8 +37,8 @@ protected:
 
 TEST_F(PresetPicturesTest, EqualASnapshotOfThePreset) {
     PresetPictures pictures(renderer());
-    EXPECT_EQ(pictures.of("").texture, nullptr);
-    EXPECT_EQ(pictures.of("walk").texture, nullptr) << "the call does not wait for it";
+    EXPECT_EQ(pictures.of("", false).texture, nullptr);
+    EXPECT_EQ(pictures.of("walk", false).texture, nullptr) << "the call does not wait for it";
     for (const char* name : {"walk", "painter-cycle", "newell-cycle", "depth-few-bits"}) {
         SCOPED_TRACE(name);
         const PresetPicture picture = finished(pictures, name);
@@ -48,9 +48,20 @@ TEST_F(PresetPicturesTest, EqualASnapshotOfThePreset) {
         const Scene scene = *load_scene(state.params.scene, state.base, state.params.coplanar);
         EXPECT_EQ(image_of(picture), *draw_picture(renderer(), state, scene, {PictureView::camera, {384, 216}, {}}));
     }
-    const ImTextureID kept = pictures.of("walk").texture;
+    const ImTextureID kept = pictures.of("walk", false).texture;
     EXPECT_NE(kept, nullptr);
     EXPECT_FALSE(pictures.is_busy()) << "the picture is kept";
+}
+
+/// As in a picture of the window: nothing is drawn again later.
+TEST_F(PresetPicturesTest, AreThereAtOnceIfTheCallWaits) {
+    PresetPictures pictures(renderer());
+    EXPECT_EQ(pictures.of("walk", false).texture, nullptr);
+    const PresetPicture first = pictures.of("newell-cycle", true), other = pictures.of("walk", true);
+    ASSERT_NE(first.texture, nullptr);
+    EXPECT_NE(image_of(first), image_of(other));
+    EXPECT_EQ(pictures.of("no-such-preset", true).texture, nullptr);
+    EXPECT_FALSE(pictures.is_busy());
 }
 
 TEST_F(PresetPicturesTest, UnreadablePresetsHaveNone) {
