@@ -225,7 +225,7 @@ TEST(CellText, NeighborsAreCountedFromTheSmallest) {
     const CellBlock block = block_of({0.5, 0.50001, 1.0}, bits_24);
     const CellTexts cells = cell_texts(block, bits_24, 1.0, 5);
     EXPECT_EQ(cells.texts, (std::vector<std::string>{"0", "167", "clear"}));
-    EXPECT_EQ(cells.note, "stored code minus 8,388,608");
+    EXPECT_EQ(cells.note, "code − 8,388,608");
 }
 
 TEST(CellText, EqualTextsMeanEqualCodesUnlessNoted) {

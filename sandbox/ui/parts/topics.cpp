@@ -33,6 +33,10 @@ Slot telling_slot(const Params& params) {
     return is_usual ? Slot::left : Slot::right;
 }
 
+bool names_both_topics(const Params& params) {
+    return params.view.lower_left != Topic::automatic && params.view.lower_right != Topic::automatic;
+}
+
 bool is_shown(const Params& params, Topic topic) {
     return topic_of(params, Slot::left) == topic || topic_of(params, Slot::right) == topic;
 }

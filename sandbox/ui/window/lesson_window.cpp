@@ -114,7 +114,8 @@ void Workbench::set_stage(const Session& session) {
     if (!guide.is_shown()) {
         const Params& params = session.params;
         const LayoutParams& listed = params.view.layout;
-        const bool keeps_lens = !presenter.is_on() || params.projection.aspect > 0.0 ||
+        // A mirror with its own fovy is compared with the camera's.
+        const bool keeps_lens = !presenter.is_on() || params.projection.aspect > 0.0 || params.reflection.fovy > 0.0 ||
                                 params.camera_overrides.clip_from_view || params.slips.degrees_as_radians ||
                                 shows_lens(listed.matrices, listed.controls);
         stage.least_aspect = keeps_lens ? 0.0 : Stage::written_for;

@@ -154,7 +154,8 @@ const LowerView passes{
                              frame.state.pass_player);
         },
     .picture = LowerPicture::after_pass,
-    .least_size = {440.0F, 150.0F},
+    .least_size = {440.0F, 380.0F},
+    .lowest = 240.0F,
 };
 
 const LowerView tree{
@@ -188,7 +189,8 @@ const LowerView shadow_derivation{
         [](const FrameContext& frame) {
             draw_shadow_derivation(frame.session, frame.derived, frame.rect, frame.state.derivation_player);
         },
-    .least_size = {440.0F, 150.0F},
+    .least_size = {440.0F, 320.0F},
+    .lowest = 255.0F,
     .has_derivation = true,
 };
 
@@ -199,13 +201,15 @@ const LowerView mirror_derivation{
             draw_mirror_derivation(frame.session, frame.derived, frame.rect, frame.state.derivation_player);
         },
     .least_size = {440.0F, 320.0F},
+    .lowest = 255.0F,
     .has_derivation = true,
 };
 
 const LowerView lecture_code{
     .title = marked("The lecture's code"),
     .draw = [](const FrameContext& frame) { draw_lecture_code(frame.session, frame.derived, frame.rect); },
-    .least_size = {440.0F, 190.0F},
+    .least_size = {440.0F, 320.0F},
+    .lowest = 230.0F,
     .target = "code:lecture",
     .wants_matrices = true,
 };
@@ -215,6 +219,8 @@ const LowerView mirror_ways{
     .draw =
         [](const FrameContext& frame) { draw_mirror_ways_view(frame.session, frame.rect, frame.pictures.mirror_ways); },
     .picture = LowerPicture::mirror_ways,
+    .least_size = {440.0F, 280.0F},
+    .lowest = 230.0F,
 };
 
 const LowerView from_light{

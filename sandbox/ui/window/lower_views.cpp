@@ -11,10 +11,6 @@
 namespace viewing {
 namespace {
 
-Slot other_than(Slot slot) {
-    return slot == Slot::left ? Slot::right : Slot::left;
-}
-
 /// Draws the header: a list of all topics or, when presenting, only the name of the current one.
 void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect, bool is_alone) {
     const Topic shown = topic_of(params, slot);

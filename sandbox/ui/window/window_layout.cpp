@@ -44,6 +44,35 @@ Rect around(std::initializer_list<Rect> pictures, float header_height) {
     return area;
 }
 
+constexpr float with_numbers = 147.0F, with_symbols = 230.0F;  ///< heights of a matrix
+
+/// Returns the height of the listed matrices, the followed point and display(), in design pixels.
+float height_of(const std::vector<std::string>& matrices, const Params& params, float of_matrix) {
+    constexpr float heading = 40.0F, line = 20.0F, pair = 30.0F;
+    const bool has_pair =
+        (is_named(matrices, "S") || is_named(matrices, "R")) && (params.planes.size() > 1 || params.lights.size() > 1);
+    float height = 4.0F + (has_pair ? pair : 0.0F);
+    for (const std::string& name : matrices) {
+        const int lines = lines_of(point_numbers(matrices, params.shadow.enabled, params.reflection.enabled));
+        const float follow = heading + line * static_cast<float>(lines);
+        height += is_matrix(name) ? of_matrix : name == "follow" ? follow : display_code_height;
+    }
+    return height;
+}
+
+/// Returns the height that a preset's caption and the matrices leave for the lower views on stage, in design pixels.
+/// The stage always has the same height, because everything on it grows with the window.
+float room_for_views(float matrices) {
+    constexpr float caption = 75.0F;
+    return 30.0F * stage_type.caption - caption - matrices;
+}
+
+constexpr float header_and_gap = 36.0F;  // of a lower view on stage
+
+float lowest_on_stage(const LowerView& view) {
+    return view.lowest + header_and_gap;
+}
+
 }  // namespace
 
 bool is_folded(const Params& params, std::string_view column) {
@@ -65,18 +94,10 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     arrangement.maximized = layout.big;
     Telling& telling = arrangement.telling;
     telling.matrices = static_cast<int>(matrices.size());
-    constexpr float with_numbers = 147.0F, with_symbols = 230.0F, heading = 40.0F, line = 20.0F, pair = 30.0F;
-    const int lines = lines_of(point_numbers(matrices, params.shadow.enabled, params.reflection.enabled));
-    const float follow = heading + line * static_cast<float>(lines);
-    const bool has_pair =
-        (is_named(matrices, "S") || is_named(matrices, "R")) && (params.planes.size() > 1 || params.lights.size() > 1);
-    telling.short_matrices = telling.tall_matrices = 4.0F + (has_pair ? pair : 0.0F);
-    telling.first_symbols = 0.0F;
-    for (const std::string& name : matrices) {
-        telling.short_matrices += is_matrix(name) ? with_numbers : name == "follow" ? follow : display_code_height;
-        telling.tall_matrices += is_matrix(name) ? with_symbols : name == "follow" ? follow : display_code_height;
-        if (is_matrix(name)) telling.first_symbols = with_symbols - with_numbers;
-    }
+    const bool has_matrix = std::any_of(matrices.begin(), matrices.end(), is_matrix);
+    telling.short_matrices = height_of(matrices, params, with_numbers);
+    telling.tall_matrices = height_of(matrices, params, with_symbols);
+    telling.first_symbols = has_matrix ? with_symbols - with_numbers : 0.0F;
     telling.control_rows = rows_of(layout.controls);
     telling.has_vectors = std::any_of(layout.controls.begin(), layout.controls.end(), [](const std::string& path) {
         return path == "camera" || path == "camera.position" || path == "light.position" || path == "plane.equation";
@@ -92,29 +113,42 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     stage.lowest_right = right.lowest;
 }
 
+std::vector<std::string> matrices_on_stage(const Params& params, const NamedFile* preset, Slot first) {
+    std::vector<std::string> matrices = matrices_about(params, preset);
+    const LowerView &view = lower_view(params, first), &other = lower_view(params, other_than(first));
+    while (!matrices.empty()) {
+        const float wanted = names_both_topics(params) && matrices.size() > 1
+                                 ? lowest_on_stage(view) + lowest_on_stage(other)
+                                 : view.least_size.y + header_and_gap;
+        if (wanted <= room_for_views(height_of(matrices, params, with_numbers))) break;
+        matrices.pop_back();
+    }
+    return matrices;
+}
+
 std::vector<std::string> matrices_about(const Params& params, const NamedFile* preset) {
     const std::string group = preset ? preset->group : "";
     const bool is_of_depth = group == "Depth buffer" || group == "Depth fighting";
     if (is_of_depth) return {"P"};
     if (group == "Hidden surfaces") return {};
     if (group == "Camera") return {"V", "P"};
+    const bool needs_both = is_any_shown(params, &LowerView::wants_matrices);
     std::vector<std::string> matrices;
-    if (params.shadow.enabled && group != "Mirror") matrices.emplace_back("S");
-    if (params.reflection.enabled && group != "Shadow") matrices.emplace_back("R");
+    if (params.shadow.enabled && (needs_both || group != "Mirror")) matrices.emplace_back("S");
+    if (params.reflection.enabled && (needs_both || group != "Shadow")) matrices.emplace_back("R");
     return matrices.empty() ? std::vector<std::string>{"V", "P"} : matrices;
 }
 
-void open_lower_views(Arrangement& arrangement, Slot first) {
-    // The stage always has this height in design pixels, because everything on it grows with the window.
-    constexpr float height = 30.0F * stage_type.caption, least_view = 170.0F;
-    const float room = height - (arrangement.matrices_folded ? 0.0F : arrangement.telling.short_matrices);
+void open_lower_views(Arrangement& arrangement, const Params& params, Slot first) {
+    StageViews& views = arrangement.stage;
     // Do not let a view make the column wider than a matrix does, so that the main view keeps its share of a narrow
     // stage.
-    for (ImVec2* least : {&arrangement.stage.least_left, &arrangement.stage.least_right})
-        least->x = std::min(least->x, 430.0F);
-    const int fitting = std::clamp(static_cast<int>(room / least_view), 0, 2);
-    arrangement.stage.left = fitting == 2 || (fitting == 1 && first == Slot::left);
-    arrangement.stage.right = fitting == 2 || (fitting == 1 && first == Slot::right);
+    for (ImVec2* least : {&views.least_left, &views.least_right}) least->x = std::min(least->x, 430.0F);
+    const float room = room_for_views(arrangement.matrices_folded ? 0.0F : arrangement.telling.short_matrices);
+    const float first_view = lowest_on_stage(lower_view(params, first));
+    const bool fit_both = first_view + lowest_on_stage(lower_view(params, other_than(first))) <= room;
+    views.left = fit_both || (first == Slot::left && first_view <= room);
+    views.right = fit_both || (first == Slot::right && first_view <= room);
 }
 
 Rect lower_views_area(const Layout& layout) {

@@ -27,8 +27,12 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
 /// camera, or those that make the shadow and the mirror image. `preset`: the open one; null for none.
 std::vector<std::string> matrices_about(const Params& params, const NamedFile* preset);
 
+/// Returns those of matrices_about() that leave room on stage for the lower view `first` or, beside the last matrix
+/// only, for the two views that the state names.
+std::vector<std::string> matrices_on_stage(const Params& params, const NamedFile* preset, Slot first);
+
 /// On stage, opens the lower views that fit beside the matrices; if only one fits, opens `first`.
-void open_lower_views(Arrangement& arrangement, Slot first);
+void open_lower_views(Arrangement& arrangement, const Params& params, Slot first);
 
 /// Returns the area of the views' window.
 Rect views_area(const Layout& layout, const Arrangement& arrangement);

@@ -115,7 +115,7 @@ Arrangement Workbench::arranged(const Session& session) const {
         if (now.lower_height == Arrangement{}.lower_height) now.lower_height = lines;
     }
     if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
-    if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
+    if (place() == Place::stage) open_lower_views(now, session.params, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
     if (!controls.empty() && !is_named(controls, "camera.navigation") && is_named(stage.highlight, "lamps"))
         now.telling.control_rows += rows_of_lamps;
@@ -178,8 +178,8 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
 
 std::vector<std::string> Workbench::listed_matrices(const Session& session) const {
     const std::vector<std::string>& listed = session.params.view.layout.matrices;
-    return !listed.empty() || place() != Place::stage ? listed
-                                                      : matrices_about(session.params, presets_.current(session));
+    if (!listed.empty() || place() != Place::stage) return listed;
+    return matrices_on_stage(session.params, presets_.current(session), lower_shown(views, session.params));
 }
 
 FrameInput Workbench::after_typing(const FrameInput& input) {

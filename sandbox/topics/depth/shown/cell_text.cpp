@@ -66,7 +66,7 @@ CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, do
     if (range.least <= range.greatest &&
         std::to_string(range.greatest - range.least).size() <= static_cast<std::size_t>(std::max(room, 1))) {
         above.note = precision.is_float ? say("floats above {least}", "least"_a = code_text(range.least, precision))
-                                        : say("stored code minus {least}", "least"_a = grouped_number(range.least));
+                                        : say("code − {least}", "least"_a = grouped_number(range.least));
         return above;
     }
     return {window_depths(block, most_decimals), tr("window depth, rounded")};

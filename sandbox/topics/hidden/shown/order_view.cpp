@@ -165,16 +165,31 @@ void draw_decided(const NewellCounters& counters) {
     ImGui::PopFont();
 }
 
+/// Returns the height of the ladder down to the test that decides, so that its answer is in sight.
+float height_of(const Ladder& ladder, float width) {
+    const ImFont& font = *widgets::CurrentContext().fonts.note;
+    std::string lines =
+        ladder.p + "\n" + (ladder.q.empty() ? "" : "B\n") + widgets::BrokenAtBlanks(ladder.action, width, font);
+    for (std::size_t rung = 0; rung < ladder.rungs.size() && ladder.rungs[rung] != RungState::untried; ++rung)
+        lines += "\n" +
+                 widgets::BrokenAtBlanks(tr(newell_test_text(static_cast<NewellTest>(rung))), width - px(24.0F), font);
+    const auto count = static_cast<float>(std::count(lines.begin(), lines.end(), '\n') + 1);
+    return count * (font.FontSize + ImGui::GetStyle().ItemSpacing.y) + font.FontSize;  // fades below
+}
+
 /// Draws the ladder beside the list if it fits, otherwise above it.
 void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x >= px(360.0F);
     const float gap = px(10.0F), list_width = beside ? std::floor(room.x * 0.5F) : room.x;
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float ladder_height = beside ? room.y : std::floor(room.y * 0.5F);
+    const std::optional<Ladder> ladder = newell_ladder(result);
+    const float least_list = px(76.0F), half = std::floor(room.y * 0.5F);
+    const float wanted = ladder ? std::max(height_of(*ladder, room.x), half) : half;
+    const float ladder_height = beside ? room.y : std::max(std::min(wanted, room.y - gap - least_list), half);
     ImGui::SetCursorScreenPos(beside ? ImVec2(from.x + list_width + gap, from.y) : from);
     ImGui::BeginChild("ladder", {beside ? room.x - list_width - gap : room.x, ladder_height});
-    if (const std::optional<Ladder> ladder = newell_ladder(result))
+    if (ladder)
         draw_ladder(*ladder);
     else if (result.step < 0)
         draw_decided(result.newell->counters);
