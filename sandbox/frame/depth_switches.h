@@ -73,6 +73,11 @@ inline bool compares_nearness(const DepthParams& depth) {
                              depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal);
 }
 
+/// Returns whether reversed depth uses the offset with its sign: a negative number then pushes surfaces away.
+inline bool keeps_offset_sign(const DepthParams& depth) {
+    return depth.mapping == DepthMapping::reversed && !depth.reversed_offset;
+}
+
 /// Returns how many switches, each by itself, let the last fragment drawn win.
 inline int count_of_last_wins(const DepthParams& depth) {
     const bool passes = depth.func == CompareFunc::always || depth.func == CompareFunc::notequal;

@@ -430,6 +430,38 @@ bool lies_in(const SceneObject& object, const glm::dvec4& unit_plane, double tol
     return !is_above(object, unit_plane, tolerance) && !is_above(object, -unit_plane, tolerance);
 }
 
+bool has_seen_face_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance, const Params& params,
+                      const Derived& derived) {
+    constexpr std::size_t most_triangles = 10'000;
+    const Mesh& mesh = *object.mesh;
+    if (mesh.triangle_count() > most_triangles) return false;
+    const auto stands_on = [&](const glm::dvec4& plane) {
+        return is_at_most(object, plane, tolerance) && !is_above(object, -plane, tolerance);
+    };
+    if (!stands_on(unit_plane) && !stands_on(-unit_plane)) return false;
+    const CullParams& cull = params.cull;
+    const auto is_culled = [&cull](bool is_outside) {
+        const bool is_front = is_outside == (cull.front_face == FrontFace::ccw);
+        return cull.enabled && (cull.face == CullFace::front_and_back || is_front == (cull.face == CullFace::front));
+    };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        glm::dvec3 corners[3];
+        bool is_in_plane = true;
+        for (std::size_t corner = 0; corner < 3 && is_in_plane; ++corner) {
+            const glm::dvec4 world =
+                object.world_from_model * glm::dvec4(mesh.positions[mesh.indices[i + corner]], 1.0);
+            corners[corner] = glm::dvec3(world);
+            is_in_plane = std::abs(glm::dot(unit_plane, world)) <= tolerance;
+        }
+        if (!is_in_plane) continue;
+        const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * corners[0];
+        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const bool is_outside = glm::dot(normal, towards_eye) > 0.0;
+        if (!is_culled(is_outside) && (is_outside || is_culled(true))) return true;
+    }
+    return false;
+}
+
 bool lands_inside(const Scene& scene, const Landing& landing) {
     return std::any_of(scene.objects.begin(), scene.objects.end(),
                        [&](const SceneObject& object) { return lands(object, landing, true, true); });

@@ -106,4 +106,9 @@ bool is_too_thin(const SceneObject& object, const Derived& derived);
 /// Returns whether every vertex of an object is at most `tolerance` (world units) away from a unit plane.
 bool lies_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance);
 
+/// Returns whether an object has a face in a plane, and the eye sees this side of the face: its outside, or its inside
+/// through a culled outside. Large meshes are not searched.
+bool has_seen_face_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance, const Params& params,
+                      const Derived& derived);
+
 }  // namespace viewing

@@ -70,12 +70,23 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
 }
 
 /// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), even a tiny w: any w > 0 changes S.
-void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
+void say_weight(Sayer& tell, const Params& params, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (light.w <= 0.0 || light.w >= 1.0) return;
     const auto coordinate = [&light](int axis) { return figures(light[axis] / light.w, 3); };
+    const bool casts = params.shadow.enabled && params.shadow.opacity > 0.0 &&
+                       std::any_of(derived.planes.begin(), derived.planes.end(), [index](const DerivedPlane& plane) {
+                           return plane.receives_shadow && plane.shadows[index].reaches(plane.eye_side);
+                       });
+    const bool is_only = derived.lights_world.size() == 1;
+    if (!casts)
+        return tell(true, sentence("light.small_w",
+                                   "w = {w} makes {light} a point light at ({x}, {y}, {z}); only w = 0 gives parallel "
+                                   "light",
+                                   "w"_a = figures(light.w, 3), "light"_a = light_name(index, is_only ? 1 : 2),
+                                   "x"_a = coordinate(0), "y"_a = coordinate(1), "z"_a = coordinate(2)));
     const Sentence point_light =
-        derived.lights_world.size() == 1
+        is_only
             ? sentence(
                   "light.small_w",
                   "w = {w} makes this a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives parallel "
@@ -87,10 +98,11 @@ void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
                   "parallel light",
                   "w"_a = figures(light.w, 3), "light"_a = index + 1, "x"_a = coordinate(0), "y"_a = coordinate(1),
                   "z"_a = coordinate(2));
-    const bool passes_for_parallel = light.w <= 0.25, is_first = index == 0;
-    const std::string parallel = is_first ? fmt::format("light.position=[{},{},{},0]", format_number(light.x),
-                                                        format_number(light.y), format_number(light.z))
-                                          : "";
+    const bool passes_for_parallel = light.w <= 0.25;
+    const bool has_direction = index == 0 && glm::dvec3(light) != glm::dvec3(0.0);  // other lights have no path
+    const std::string parallel = has_direction ? fmt::format("light.position=[{},{},{},0]", format_number(light.x),
+                                                             format_number(light.y), format_number(light.z))
+                                               : "";
     tell.broken(passes_for_parallel, point_light, parallel);
     tell(!passes_for_parallel, point_light, parallel);
 }
@@ -100,7 +112,7 @@ void find_light_problems(std::vector<Problem>& problems, const Params& params, c
     Sayer tell(problems, "light");
     for (std::size_t light = 0; light < derived.lights_world.size(); ++light) {
         say_light(tell, params, derived, scene, light);
-        say_weight(tell, derived, light);
+        say_weight(tell, params, derived, light);
     }
 }
 

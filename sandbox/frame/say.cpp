@@ -1,6 +1,7 @@
 #include "frame/say.h"
 
 #include "state/file/state_json.h"
+#include "text/numbers.h"
 
 namespace viewing {
 
@@ -9,6 +10,13 @@ void Sayer::add(bool is_so, Sentence said, ProblemKind kind, std::string_view fi
     const bool is_field = !fixed_by.empty() && fixed_by.find('=') == std::string_view::npos;
     problems_.push_back(
         {std::move(said.message), group_, kind, is_field ? default_setting(fixed_by) : std::string(fixed_by), said.id});
+}
+
+std::string near_setting(ProjectionParams projection, double near) {
+    if (projection.type != ProjectionType::frustum) return "projection.near=" + plain_number(near);
+    projection.move_near(near);
+    return fmt::format(R"(projection={{"near": {}, "left": {:.6g}, "right": {:.6g}, "bottom": {:.6g}, "top": {:.6g}}})",
+                       plain_number(near), projection.left, projection.right, projection.bottom, projection.top);
 }
 
 Message light_name(std::size_t light, std::size_t count) {

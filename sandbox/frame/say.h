@@ -48,6 +48,10 @@ private:
     std::string_view group_;
 };
 
+/// Returns the setting that moves the near plane without changing the picture: "projection.near=0.5", or one of the
+/// whole frustum, with its edges rounded to six digits.
+std::string near_setting(ProjectionParams projection, double near);
+
 // Names of lights and planes in a sentence. The parameters count them from 0, the names from 1; `count` is their total
 // number.
 

@@ -148,15 +148,16 @@ void say_cut(std::vector<Problem>& problems, const Params& params, const std::ve
     }
     Sayer tell(problems, group);
     const std::optional<double> nearer = largest_near(seen);
-    tell.broken(cuts_before && nearer,
-                sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at z = {z}",
-                         "near"_a = figures(near, 3), "objects"_a = listed(before), "z"_a = figures(nearest, 3)),
-                nearer ? "projection.near=" + plain_number(*nearer) : "");
+    tell.broken(
+        cuts_before && nearer,
+        sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at eye distance {z}",
+                 "near"_a = figures(near, 3), "objects"_a = listed(before), "z"_a = figures(nearest, 3)),
+        nearer ? near_setting(params.projection, *nearer) : "");
     tell(cuts_before && !nearer,
          sentence("view.near_cuts", "near = {near} cuts into {objects}: no gap is left in front of the eye",
                   "near"_a = figures(near, 3), "objects"_a = listed(before)));
     tell.broken(cuts_beyond,
-                sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at z = {z}",
+                sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at eye distance {z}",
                          "far"_a = figures(far, 3), "objects"_a = listed(beyond), "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }
@@ -175,7 +176,7 @@ void say_far(std::vector<Problem>& problems, const Params& params, const std::ve
     Sayer(problems, group)
         .broken(true,
                 sentence("view.image_beyond_far",
-                         "far = {far} cuts off the mirror image of {objects}, which reaches to z = {z}",
+                         "far = {far} cuts off the mirror image of {objects}, which reaches to eye distance {z}",
                          "far"_a = figures(params.projection.far, 3), "objects"_a = listed(names),
                          "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
@@ -227,14 +228,14 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
     Sayer tell(problems, group);
     tell.broken(beyond == 0,
                 sentence("view.before_near",
-                         "every object in the view is closer than near = {near}: the farthest ends at z = {z}",
+                         "every object in the view is closer than near = {near}: the farthest ends at eye distance {z}",
                          "near"_a = near_now, "z"_a = figures(farthest, 3)),
-                "projection.near=" + plain_number(nearer));
-    tell.broken(
-        before == 0,
-        sentence("view.beyond_far", "every object in the view is beyond far = {far}: the nearest starts at z = {z}",
-                 "far"_a = far_now, "z"_a = figures(nearest, 3)),
-        "projection.far=" + plain_number(farther));
+                near_setting(params.projection, nearer));
+    tell.broken(before == 0,
+                sentence("view.beyond_far",
+                         "every object in the view is beyond far = {far}: the nearest starts at eye distance {z}",
+                         "far"_a = far_now, "z"_a = figures(nearest, 3)),
+                "projection.far=" + plain_number(farther));
     tell.broken(before > 0 && beyond > 0,
                 sentence("view.before_near_or_beyond_far",
                          "every object in the view is closer than near = {near} or beyond far = {far}",

@@ -36,6 +36,11 @@ void ProjectionParams::set_window(const Edges& edges) {
     top = edges.top;
 }
 
+void ProjectionParams::move_near(double moved) {
+    if (type == ProjectionType::frustum && near > 0.0) set_window(window().scaled(moved / near));
+    near = moved;
+}
+
 void ProjectionParams::scale_picture(double factor) {
     if (has_window())
         set_window(window().scaled(factor));

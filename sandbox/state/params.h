@@ -56,6 +56,9 @@ struct ProjectionParams {
     void set_type(bool orthographic, bool window);
     Edges window() const { return {left, right, bottom, top}; }
     void set_window(const Edges& edges);
+    /// Moves the near plane without changing the picture. A frustum's edges are measured in this plane, so they move,
+    /// too.
+    void move_near(double moved);
     /// Enlarges an orthographic picture about the view axis, by changing its window or its height.
     void scale_picture(double factor);
     /// Returns the same projection with the view axis in the middle of the picture: no window, but the same height.

@@ -83,6 +83,7 @@ const std::vector<std::vector<std::string>>& box_states() {
     static const std::vector<std::vector<std::string>> all = {
         {"cull.enabled=true", "cull.face=front_and_back"},
         {"depth.func=notequal"},
+        {"depth.func=always", "depth.write=false"},
         {"depth.func=never"},
         {"depth.func=greater"},
         {"depth.func=equal"},
@@ -108,6 +109,7 @@ const std::vector<std::vector<std::string>>& box_states() {
         {by_hand("shadow", "[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]"), "plane.equation=[0,-1,0,0]"},
         {by_hand("shadow", "[[5.2,-2.6,0,1],[0,0,0,0],[0,-2.2,5.2,0],[0,-1,0,5.2]]")},
         {by_hand("shadow", "[[5.7,-2.6,0,-1.3],[0,0,0,0],[0,-2.2,5.2,0],[0,-1,0,5.2]]")},
+        {by_hand("mirror", "[[-1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,-1]]")},
         {by_hand("mirror", "[[1,0,0,0],[0,-1,0,0],[0,0,1,0],[0,-1,0,1]]"), "plane.equation=[0,1,0,0.5]"},
         {by_hand("mirror", "[[1,0,0,0],[0,-1,0,0],[0,0,1,0],[0,1,0,1]]")},
         {by_hand("mirror", "[[1,0,0,0],[0,-1,0,1],[0,0,1,0],[0,0,0,1]]")},
@@ -116,6 +118,7 @@ const std::vector<std::vector<std::string>>& box_states() {
         {by_hand("mirror", "[[1,0,0,0],[0.3,-1,0,1],[0,0,1,0],[0,0,0,1]]")},
         {by_hand("mirror", "[[1,0.2,0,0],[0,-1,0,0],[0,0,1,0],[0,0,0,1]]")},
         {by_hand("view", "[[1,0,0,0],[0,1,0,-1],[0,0,1,-8],[0,0,0,1]]")},
+        {by_hand("view", "[[1,0,0,0],[0,1,0,-1],[0,0,1,-8],[0,0,0,2]]")},
         {by_hand("view", "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,-1,-8,1]]")},
         {by_hand("view", "[[1,0.4,0,0],[0,1,0,-1],[0.1,0,0.3,-8],[0,0,0,1]]")},
         {by_hand("view", "[[1,0.4,0,0],[0,1,0,-1],[0.1,0,0.3,-8],[0,0.1,0,1]]")},
@@ -130,7 +133,9 @@ const std::vector<std::vector<std::string>>& box_states() {
         {"light.position=[1,-2,0.5,0]"},
         {"lights=[{\"position\":[-3,-5,2,1]}]"},
         {"lights=[{\"position\":[1,5,-2,0.5]}]"},
+        {"light.position=[1,5,-2,0.5]", "shadow.enabled=false"},
         {"projection.type=orthographic", "camera.pitch=0"},
+        {"camera.position=[0,-3,8]", "camera.yaw=0", "camera.pitch=20"},
         {"camera.position=[0,0,8]"},
         {back_wall, "visibility.method=bsp"},
         {"projection={\"type\":\"frustum\",\"left\":-1,\"right\":1,\"bottom\":-1,\"top\":1}"},
@@ -205,7 +210,8 @@ void add_others(std::vector<Problem>& shown) {
     const Viewport usual{{480, 270}};
     Viewport without = usual;
     without.clip_control = false;
-    add({"depth.mapping=reversed"}, box_scene(), without);
+    add({"depth.mapping=reversed", "depth.format=d32f"}, box_scene(), without);
+    add({"reflection.after_objects=true", back_wall}, testing::scene_of({}), usual);
     for (const DepthPrecision& stored : {DepthPrecision{32, true}, DepthPrecision{16, false}}) {
         Viewport other = usual;
         other.stored_depth = StoredDepth{stored, std::nullopt};

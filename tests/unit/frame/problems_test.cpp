@@ -7,6 +7,7 @@
 #include "state/fields.h"
 #include "state/person/language.h"
 #include "state/presets.h"
+#include "trials.h"
 
 namespace viewing {
 namespace {
@@ -58,6 +59,10 @@ Scene lifted_sheet_scene() {
 
 Scene mirrored_scene() {
     return scene_of({object("twin", box_mesh(), {0, 1, 0}, {-1, 1, 1})});
+}
+
+Scene nothing() {
+    return scene_of({});
 }
 
 Scene coplanar_scene() {
@@ -455,6 +460,45 @@ const std::vector<Case>& cases() {
          nearly_coplanar_scene,
          {"depth.format=d16"},
          {"depth.format=d16", "depth.test=false"}},
+        {"depth",
+         "a side of box lies in the plane",
+         box_scene,
+         {"camera.position=[0,-3,8]", "camera.yaw=0", "camera.pitch=20"},
+         {"camera.position=[0,3,8]", "camera.yaw=0", "camera.pitch=-20"}},
+        {"depth",
+         "a side of box lies in the plane",
+         box_scene,
+         {"cull.enabled=true", "cull.face=front"},
+         {"cull.enabled=true", "cull.face=back"}},
+        {"depth",
+         "as with the test off, but here depth is still written",
+         box_scene,
+         {"depth.func=always"},
+         {"depth.func=always", "depth.write=false"}},
+        {"depth", "GL_ALWAYS", nothing, {"depth.func=always", wall}, {"depth.func=always"}},
+        {"depth",
+         "so little is gained",
+         box_scene,
+         {"depth.mapping=reversed", "depth.reversed_zero_to_one=false", "depth.format=d32f"},
+         {"depth.mapping=reversed", "depth.reversed_zero_to_one=false", "depth.format=d24"}},
+        // The image of the box is 12 away, the mirror 9.
+        {"depth",
+         "nothing beyond is drawn",
+         box_scene,
+         {"plane.equation=[0,0,1,3]", "camera.position=[0,1,6]", "camera.yaw=0", "camera.pitch=0",
+          "depth.clear_value=0.962"},
+         {"plane.equation=[0,0,1,3]", "camera.position=[0,1,6]", "camera.yaw=0", "camera.pitch=0",
+          "depth.clear_value=0.962", "reflection.enabled=false"}},
+        {"light",
+         "its shadows spread",
+         box_scene,
+         {"light.position=[0.6,1.2,0.5,0.2]"},
+         {"light.position=[0.6,1.2,0.5,0.2]", "shadow.enabled=false"}},
+        {"reflection",
+         "covers the part of",
+         nothing,
+         {"reflection.after_objects=true", wall},
+         {"reflection.after_objects=true"}},
         {"depth", "glClearDepth(0) is the nearest", box_scene, {"depth.clear_value=0"}, {}},
         {"depth",
          "glClearDepth(0) is the nearest",
@@ -484,8 +528,9 @@ const std::vector<Case>& cases() {
 }
 
 TEST(Problems, DoNotDependOnTheLanguage) {
-    std::size_t count = 0;
+    std::size_t count = 0, index = 0;
     for (const NamedFile& preset : presets()) {
+        if (!testing::takes(index++)) continue;
         const testing::LoadedPreset loaded = testing::preset_named(preset.name);
         ASSERT_TRUE(speak(Language::en));
         const std::vector<Problem> english = testing::problems_of(loaded.params, loaded.scene);
@@ -497,7 +542,7 @@ TEST(Problems, DoNotDependOnTheLanguage) {
         count += said.size();
     }
     ASSERT_TRUE(speak(Language::en));
-    EXPECT_GT(count, 50U);
+    EXPECT_GT(count, is_sanitized ? 10U : 50U);
 }
 
 TEST(Problems, SwitchIsReportedOnlyWhereItShows) {
@@ -556,7 +601,8 @@ TEST(Problems, FarCutsAnImageWhereItsVerticesAre) {
     };
     for (const char* cuts : {"9", "11", "11.9"}) {
         const std::vector<Problem> problems = told(cuts);
-        EXPECT_TRUE(says(problems, "view", "the mirror image of box, which reaches to z = 12")) << all_of(problems);
+        EXPECT_TRUE(says(problems, "view", "the mirror image of box, which reaches to eye distance 12"))
+            << all_of(problems);
     }
     for (const char* keeps : {"12.1", "40", "1000"})
         EXPECT_FALSE(says(told(keeps), "view", "cuts off")) << keeps << ": " << all_of(told(keeps));

@@ -54,6 +54,23 @@ TEST(ViewProblems, ReportAndFixClippingByNearAndFar) {
     }
 }
 
+/// The edges of a frustum are measured at near: without them, a nearer near plane would widen the view.
+TEST(ViewProblems, FixANearPlaneWithoutChangingTheFrustum) {
+    const std::vector<std::string> settings = {
+        R"(projection={"type": "frustum", "near": 7, "far": 40, "left": -4, "right": 4.2, "bottom": -2, "top": 2.5})"};
+    const std::vector<Problem> problems = view_problems(settings);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].id, "view.near_cuts");
+    EXPECT_TRUE(view_problems({settings[0], problems[0].fixed_by}).empty()) << problems[0].fixed_by;
+    const ProjectionParams before = testing::params_with(settings).projection,
+                           after = testing::params_with({settings[0], problems[0].fixed_by}).projection;
+    EXPECT_LT(after.near, 6.0);
+    EXPECT_NEAR(after.left / after.near, before.left / before.near, 1e-5);
+    EXPECT_NEAR(after.right / after.near, before.right / before.near, 1e-5);
+    EXPECT_NEAR(after.bottom / after.near, before.bottom / before.near, 1e-5);
+    EXPECT_NEAR(after.top / after.near, before.top / before.near, 1e-5);
+}
+
 /// The eye is between the box and the mirror, and looks at the mirror.
 TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
     std::vector<std::string> settings = {"plane.equation=[0,0,1,3]", "camera.position=[0,1,-1.5]", "camera.yaw=0",
@@ -62,7 +79,8 @@ TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
     settings.emplace_back("projection.far=3");  // the mirror image reaches from 3.5 to 5.5 in front of the eye
     std::vector<Problem> problems = view_problems(settings);
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_NE(say(problems[0].sentence).find("reaches to z = 5.5"), std::string::npos) << say(problems[0].sentence);
+    EXPECT_NE(say(problems[0].sentence).find("reaches to eye distance 5.5"), std::string::npos)
+        << say(problems[0].sentence);
     EXPECT_EQ(problems[0].fixed_by, "projection.far=11");
     settings.back() = "reflection.enabled=false";
     problems = view_problems(settings);
@@ -113,8 +131,8 @@ TEST(ViewProblems, NumbersAreThoseOfTheVertices) {
             farthest = std::max(farthest, -(derived.view_from_world * world).z);
         }
     const auto sentence = [](const std::string& setting) { return say(view_problems({setting}).at(0).sentence); };
-    EXPECT_NE(sentence("projection.near=30").find("z = " + figures(farthest, 3)), std::string::npos);
-    EXPECT_NE(sentence("projection.far=2").find("z = " + figures(nearest, 3)), std::string::npos);
+    EXPECT_NE(sentence("projection.near=30").find("eye distance " + figures(farthest, 3)), std::string::npos);
+    EXPECT_NE(sentence("projection.far=2").find("eye distance " + figures(nearest, 3)), std::string::npos);
 }
 
 }  // namespace

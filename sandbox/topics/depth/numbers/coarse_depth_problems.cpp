@@ -32,8 +32,8 @@ std::string finer_depth(const Params& params, const Derived& derived, const std:
         finer.projection.far = 2.0 * rounded_down(z);
         setting = "projection.far=" + plain_number(finer.projection.far);
     } else if (const std::optional<double> near = largest_near(seen); near && !params.lens().orthographic) {
-        finer.projection.near = *near;
-        setting = "projection.near=" + plain_number(*near);
+        finer.projection.move_near(*near);
+        setting = near_setting(params.projection, *near);
     }
     return unresolved_share(finer, derived, z) < visible_share ? setting : "";
 }
@@ -152,14 +152,14 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
     const bool is_decal = worst.pair->has_one_decal();
     Params finer = params;
     if (const std::optional<double> near = largest_near(seen_things(params, derived, scene)))
-        finer.projection.near = std::max(finer.projection.near, *near);
+        finer.projection.move_near(std::max(finer.projection.near, *near));
     const bool is_near_enough = !is_decal && worst.pair->gap() > 0.0 && !params.lens().orthographic &&
                                 fighting_pairs(finer, derived, scene, pairs).empty();
     // Where a code is a large part of the distance, a few codes more or less make no difference.
     const bool is_hopeless = worst.needed > 0.05 * worst.distance;
     const std::string fix = is_hopeless      ? ""
                             : is_decal       ? "depth.offset={\"factor\": -1, \"units\": -1}"
-                            : is_near_enough ? "projection.near=" + plain_number(finer.projection.near)
+                            : is_near_enough ? near_setting(params.projection, finer.projection.near)
                                              : "";
     tell.broken(worst.pair->gap() == 0.0,
                 sentence("depth.coplanar",
@@ -175,7 +175,8 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
                 fix);
 }
 
-/// Reports objects that lie in one of the drawn planes, so that the two fight wherever both are in the picture.
+/// Reports objects that lie in one of the drawn planes, or have a face there, so that the two fight wherever both are
+/// in the picture.
 void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const Lens lens = params.lens();
     const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
@@ -184,9 +185,13 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
         const DerivedPlane& plane = planes[index];
         if (plane.eye_side == 0.0) continue;
         const std::array<glm::dvec4, 4> edges = forms_of_edges(glm::dmat4(1.0), plane.patch);
+        const double least_apart = 1e-3 * plane.patch.extent;
+        std::vector<Message> lying, touching;
+        double apart = least_apart;  // enough for all of them
         for (const SceneObject& object : scene.objects) {
-            const double least_apart = 1e-3 * plane.patch.extent;
-            if (object.description.decal || !lies_in(object, plane.unit_plane, least_apart)) continue;
+            if (object.description.decal) continue;
+            const bool lies = lies_in(object, plane.unit_plane, least_apart);
+            if (!lies && !has_seen_face_in(object, plane.unit_plane, least_apart, params, derived)) continue;
             const glm::dvec4 center =
                 object.world_from_model * glm::dvec4(vertex_tree(object.mesh)->bounds().center(), 1.0);
             const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * glm::dvec3(center);
@@ -194,22 +199,33 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
                 std::abs(glm::dot(glm::dvec3(plane.unit_plane), towards_eye)) / glm::length(towards_eye);
             const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
             const double fights = fighting_onset(depth_coding(params, derived), z).gap() * cosine;
-            if (!lies_in(object, plane.unit_plane, fights) || !may_reach(object, sides) || !may_reach(object, edges) ||
-                is_too_thin(object, derived))
+            const bool is_near = lies ? lies_in(object, plane.unit_plane, fights)
+                                      : has_seen_face_in(object, plane.unit_plane, fights, params, derived);
+            if (!is_near || !may_reach(object, sides) || !may_reach(object, edges) || is_too_thin(object, derived))
                 continue;
-            glm::dvec4 equation = params.planes[index].equation;
-            const double apart = std::max(least_apart, 8.0 * fights / std::max(cosine, 1e-3));
-            equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
+            apart = std::max(apart, 8.0 * fights / std::max(cosine, 1e-3));
+            (lies ? lying : touching).push_back(object_message(object.description.name));
+        }
+        glm::dvec4 equation = params.planes[index].equation;
+        equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
+        const std::string fix = index > 0
+                                    ? ""
+                                    : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
+                                          "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]";
+        const Message plane_name = planes_name(std::array{index}, planes.size());
+        for (const Message& object : lying)
             tell.broken(true,
                         sentence("depth.object_in_plane",
                                  "{object} lies in {plane} itself: where their depths round to the same code, the two "
                                  "fight",
-                                 "object"_a = object_message(object.description.name),
-                                 "plane"_a = planes_name(std::array{index}, planes.size())),
-                        index > 0 ? ""
-                                  : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
-                                        "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]");
-        }
+                                 "object"_a = object, "plane"_a = plane_name),
+                        fix);
+        tell.broken(!touching.empty(),
+                    sentence("depth.face_in_plane",
+                             "a side of {objects} lies in {plane}: where their depths round to the same code, the two "
+                             "fight",
+                             "objects"_a = listed(touching), "plane"_a = plane_name),
+                    fix);
     }
 }
 

@@ -9,7 +9,7 @@ namespace {
 Cure near_for_what_is_seen(const Params& params, const Derived& derived, const Scene& scene) {
     Cure cure{CureKind::near, {}, {}, params};
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-    cure.params.projection.near = largest_near(seen).value_or(params.projection.near);
+    cure.params.projection.move_near(largest_near(seen).value_or(params.projection.near));
     cure.name = message("near {near}", "near"_a = figures(cure.params.projection.near, 3));
     cure.explanation = message(
         "The near plane, moved as far away as the view allows: to nine tenths of the nearest visible distance.");

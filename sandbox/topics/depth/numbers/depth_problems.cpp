@@ -26,10 +26,36 @@ struct FlatExtent {
     }
 };
 
+/// Returns whether the planes, which are drawn first, need no depth test: each lies on the far side of those drawn
+/// before or behind it, and no object reaches behind a plane.
+bool planes_are_painted_right(const Params& params, const Derived& derived, const Scene& scene) {
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    const auto is_in_front = [](const DerivedPlane& plane, const DerivedPlane& of) {
+        const std::array<glm::dvec3, 4> corners = plane.patch.corners();
+        return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+            return glm::dot(of.unit_plane, glm::dvec4(corner, 1.0)) * of.eye_side >= 0.0;
+        });
+    };
+    const auto is_behind = [](const DerivedPlane& plane, const DerivedPlane& of) {
+        const std::array<glm::dvec3, 4> corners = plane.patch.corners();
+        return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+            return glm::dot(of.unit_plane, glm::dvec4(corner, 1.0)) * of.eye_side <= 0.0;
+        });
+    };
+    for (std::size_t index = 0; index < planes.size(); ++index) {
+        const double side = planes[index].eye_side;
+        if (side != 0.0 && !objects_at_most(scene, std::copysign(1.0, side) * planes[index].unit_plane, -1e-6).empty())
+            return false;
+        for (std::size_t before = 0; before < index; ++before)
+            if (!is_in_front(planes[index], planes[before]) && !is_behind(planes[before], planes[index])) return false;
+    }
+    return true;
+}
+
 /// Returns whether the scene needs no depth test: it has few objects, all flat, each drawn before those in front of it.
-bool is_painted_right(const Derived& derived, const Scene& scene) {
+bool is_painted_right(const Params& params, const Derived& derived, const Scene& scene) {
     constexpr std::size_t few = 64;
-    if (scene.objects.size() > few) return false;
+    if (scene.objects.size() > few || !planes_are_painted_right(params, derived, scene)) return false;
     std::vector<FlatExtent> drawn;
     for (const SceneObject& object : scene.objects) {
         if (object.mesh->triangle_count() > 2) return false;
@@ -54,7 +80,11 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
 void say_tests(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     // If two switches let the last fragment win, fixing one of them changes nothing.
-    const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
+    const auto alone = [&depth](const char* fix) {
+        return count_of_last_wins(depth) == 1
+                   ? fix
+                   : R"(depth={"buffer": true, "test": true, "write": true, "func": "less"})";
+    };
     if (!depth.buffer) {
         tell.broken(
             true,
@@ -73,13 +103,15 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
             alone("depth.test"));
         return;
     }
+    tell.broken(depth.func == CompareFunc::always && !is_painted_right(params, derived, scene),
+                depth.write
+                    ? sentence("depth.always",
+                               "GL_ALWAYS: the last fragment drawn wins, as with the test off, but here depth is still "
+                               "written")
+                    : sentence("depth.always", "GL_ALWAYS: the last fragment drawn wins, as with the test off"),
+                alone("depth.func"));
     tell.broken(
-        depth.func == CompareFunc::always && !is_painted_right(derived, scene),
-        sentence("depth.always",
-                 "GL_ALWAYS: the last fragment drawn wins, as with the test off, but here depth is still written"),
-        alone("depth.func"));
-    tell.broken(
-        depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
+        depth.func == CompareFunc::notequal && !is_painted_right(params, derived, scene),
         sentence("depth.notequal", "GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
         alone("depth.func"));
     const bool is_closed = depth.func == CompareFunc::never || depth.func == CompareFunc::equal;
@@ -108,7 +140,8 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
 }
 
 /// Reports a buffer that is cleared to a depth other than the farthest.
-void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                     const std::vector<SeenImage>& images) {
     const DepthParams& depth = params.depth;
     const bool is_reversed = depth.mapping == DepthMapping::reversed;
     if (!depth.tests() || clears_to_farthest(depth)) return;
@@ -137,7 +170,9 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
     }
     const double z = distance_of_window_depth(params.lens(), depth.mapping, cleared_depth(depth));
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-    const bool cuts = std::any_of(seen.begin(), seen.end(), [z](const SeenThing& thing) { return thing.farthest > z; });
+    const bool cuts =
+        std::any_of(seen.begin(), seen.end(), [z](const SeenThing& thing) { return thing.farthest > z; }) ||
+        std::any_of(images.begin(), images.end(), [z](const SeenImage& image) { return image.farthest > z; });
     tell.broken(cuts,
                 sentence("depth.clear_value_cuts",
                          "glClearDepth({value}): every pixel starts with the depth of z = {z}, so nothing beyond is "
@@ -242,16 +277,18 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
              "the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
              "the offset"));
     if (depth.mapping != DepthMapping::reversed) return;
-    tell.broken(
-        !derived.clip_zero_to_one,
-        depth.reversed_zero_to_one
-            ? sentence("depth.no_clip_control",
-                       "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds "
-                       "away a float's fine steps near 0, so little is gained")
-            : sentence("depth.reversed_range",
-                       "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
-                       "float's fine steps near 0, so little is gained"));
-    if (depth.reversed_offset || !compares_nearness(depth) || rejects_all(depth)) return;
+    const bool loses_steps =
+        !derived.clip_zero_to_one && derived.stored_depth.precision.is_float && !params.lens().orthographic;
+    tell.broken(loses_steps && depth.reversed_zero_to_one,
+                sentence("depth.no_clip_control",
+                         "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds "
+                         "away a float's fine steps near 0, so little is gained"));
+    tell.broken(loses_steps && !depth.reversed_zero_to_one,
+                sentence("depth.reversed_range",
+                         "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
+                         "float's fine steps near 0, so little is gained"),
+                "depth.reversed_zero_to_one");
+    if (!keeps_offset_sign(depth) || !compares_nearness(depth) || rejects_all(depth)) return;
     // A positive number should push surfaces away, and pulls them nearer: no surface that should be seen is hidden.
     const auto pulls = [](const DepthOffset& offset) { return offset.factor < 0.0 || offset.units < 0.0; };
     const std::vector<DepthOffset> used = used_offsets(params, derived, scene, frame);
@@ -334,7 +371,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     say_tests(tell, params, derived, scene);
     say_clears(tell, params, derived, scene);
     if (!derived.has_distances) return;
-    say_clear_value(tell, params, derived, scene);
+    say_clear_value(tell, params, derived, scene, images);
     say_cleared_code(tell, params, derived, scene);
     find_coarse_depth_problems(problems, params, derived, scene, images);
     say_driver(tell, params.depth, derived.stored_depth.precision);

@@ -171,8 +171,7 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {
-    const bool turns = depth.mapping == DepthMapping::reversed && !depth.reversed_offset;
-    const double to_right_one = (turns ? 1.0 : -1.0) * (decal_is_right ? 1.0 : -1.0);
+    const double to_right_one = (keeps_offset_sign(depth) ? 1.0 : -1.0) * (decal_is_right ? 1.0 : -1.0);
     const double units = depth.offset.units * to_right_one, factor = depth.offset.factor * to_right_one;
     const bool moves_whole_codes = stores_fewer_bits(depth.format) && units == std::round(units);
     if (moves_whole_codes && factor == 0.0 && codes.is_one_code())

@@ -37,8 +37,8 @@ constexpr std::array<ColumnText, fighting_columns> columns = {{
      "column:fighting.safe_gap"},
     {marked("predicted"),
      marked("The predicted range for the pair's fraction of wrong pixels, whatever errors float32 arithmetic makes "
-            "before the depth is stored. ≈ marks a mean that the 12 jittered cameras count, ± 2 standard errors: with "
-            "24 bits or a float, the arithmetic is as coarse as the codes, and the formulas predict nothing."),
+            "before the depth is stored. ≈ marks the range that the 12 jittered cameras count instead: with 24 bits or "
+            "a float, the arithmetic is as coarse as the codes, and the formulas predict nothing."),
      "column:fighting.predicted"},
     {marked("jittered"),
      marked("The mean and the range of the fraction of wrong pixels over 12 cameras, each jittered by a thousandth of "
@@ -73,11 +73,11 @@ std::string percents(double least, double most) {
     return low == high ? low : say("{least} – {most}", "least"_a = low, "most"_a = high);
 }
 
-/// Returns the mean that the jittered cameras count, for pairs without a prediction: "≈ 45 ± 18%".
-std::string counted_share(const ShareSpread& spread) {
+/// Returns the range that the jittered cameras count, for pairs without a prediction: "≈ 3 – 62%".
+std::string counted_range(const ShareSpread& spread) {
     if (spread.cameras < 2) return "–";
-    const auto percents_of = [](double share) { return std::to_string(std::lround(100.0 * share)); };
-    return "≈ " + percents_of(spread.mean()) + " ± " + percents_of(2.0 * spread.standard_error()) + "%";
+    const long low = std::lround(100.0 * spread.least), high = std::lround(100.0 * spread.most);
+    return low == high ? fmt::format("≈ {}%", low) : fmt::format("≈ {} – {}%", low, high);
 }
 
 PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) {
@@ -95,7 +95,7 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
                   figures(counted_pair.pair.gap()),
                   figures(row.predicted.step),
                   gap_needed.is_reachable ? figures(needed) : "–",
-                  share ? percents(share->least, share->most) : counted_share(spread),
+                  share ? percents(share->least, share->most) : counted_range(spread),
                   spread.cameras > 0 ? say("{mean} ({range})", "mean"_a = percent(spread.mean()),
                                            "range"_a = percents(spread.least, spread.most))
                                      : "–",

@@ -159,7 +159,7 @@ public:
         if (!has_button()) return;
         if (button_width_ > 0.0F) ImGui::SameLine();
         if (!widgets::SmallButton(button())) return;
-        params.projection.near = *advice_.near;
+        params.projection.move_near(*advice_.near);
         clamp_to_ranges(params);
     }
 

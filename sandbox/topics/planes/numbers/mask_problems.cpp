@@ -118,6 +118,20 @@ std::vector<glm::dvec4> forms_over_patch(const Derived& derived, const Mirror& m
     return forms;
 }
 
+/// Returns the planes in front of a mirror that is drawn last, and so covers them. Of two mirrors, the second is drawn
+/// over the first.
+std::vector<std::size_t> planes_under(const Params& params, const Derived& derived, const Mirror& mirror) {
+    const std::vector<glm::dvec4> forms = forms_over_patch(derived, mirror, mirror.towards_eye());
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    std::vector<std::size_t> under;
+    for (std::size_t index = 0; index < planes.size(); ++index) {
+        const bool is_later = planes[index].mirrors && &planes[index] >= &mirror.plane;
+        if (&planes[index] == &mirror.plane || is_later || planes[index].eye_side == 0.0) continue;
+        if (may_reach(planes[index].patch, forms)) under.push_back(index);
+    }
+    return under;
+}
+
 /// Reports images outside their mirrors, and mirrors that cover too much.
 void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                const Scene& scene) {
@@ -158,11 +172,23 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 sentence("reflection.no_planes_inside",
                          "without the stencil, the mirror image shows no other plane and no other mirror"),
                 "reflection.stencil");
-    tell.broken(reflection.after_objects && is_blended_over && !culls_all(params) &&
-                    std::any_of(mirrors.begin(), mirrors.end(), is_covered),
+    if (!reflection.after_objects || !is_blended_over) return;
+    const bool covers_objects = !culls_all(params) && std::any_of(mirrors.begin(), mirrors.end(), is_covered);
+    tell.broken(covers_objects,
                 sentence("reflection.covers_objects",
                          "the mirror is drawn last and without a depth test: it covers the objects in front of it"),
                 "reflection.after_objects");
+    for (const Mirror& mirror : mirrors) {
+        const std::vector<std::size_t> under = planes_under(params, derived, mirror);
+        if (covers_objects || under.empty()) continue;
+        return tell.broken(
+            true,
+            sentence("reflection.covers_planes",
+                     "a mirror is drawn last and without a depth test: it covers the part of {planes} in "
+                     "front of it",
+                     "planes"_a = planes_name(under, derived.planes.size())),
+            "reflection.after_objects");
+    }
 }
 
 /// Reports objects behind a mirror that is blended over them, because it is drawn last and without the stencil, so its

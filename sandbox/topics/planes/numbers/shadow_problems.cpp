@@ -142,8 +142,10 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived,
     return thrown;
 }
 
-/// Reports casters beyond a point light. Returns whether there are any.
+/// Reports casters beyond a point light. Returns whether there are any. A −S entered by hand has its own sentence:
+/// by_hand.negative_w.
 bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
+    if (one.cast.by_hand && w_between(one.plane, one.cast) < 0.0) return false;
     const Message beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : Message();
     if (beyond.empty()) return false;
     const Message across = shadow.clip_at_light ? Message() : objects_across(scene, one.right_w(), 0.0);
@@ -281,9 +283,8 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         return (offset.factor >= 0.0 && offset.units >= 0.0) ||
                (is_even && std::all_of(thrown.begin(), thrown.end(), is_pushed));
     };
-    // With reversed depth, an offset that keeps its sign pulls nearer what it should push away, and the other way
-    // round: depth.reversed_offset says so.
-    const bool keeps_sign = params.depth.mapping == DepthMapping::reversed && !params.depth.reversed_offset;
+    // Then it pulls nearer what it should push away, and the other way round: depth.reversed_offset says so.
+    const bool keeps_sign = keeps_offset_sign(params.depth);
     const bool is_pushed = hides && by_polygon && !keeps_sign && pushes({factor, units});
     const bool helps = is_pushed && !pushes({ShadowParams{}.offset_factor, units});  // the usual factor
     tell.broken(
