@@ -177,6 +177,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"w", "a fourth coordinate, a number"},
     {"wanted", "the requested number of values, a whole number"},
     {"way", "points on the way, each followed by an arrow; may be empty"},
+    {"what", "what the picture shows instead of its colors, such as facing"},
     {"why", "another text of the catalog: why it has no effect"},
     {"width", "how wide, in pixels, a number"},
     {"within", "which one in its group; or how far off; a number"},

@@ -234,7 +234,7 @@ std::set<std::string> objects_below_plate(const Desk& desk) {
 
 /// Returns whether a lower view shows lines that need so much height that the lesson's text may give way to them.
 bool shows_many_lines(const Params& params) {
-    const auto needs = [&](Slot slot) { return lower_view(params, slot).lowest > 200.0F; };
+    const auto needs = [&](Slot slot) { return lower_view(params, slot).lowest >= 190.0F; };
     return needs(Slot::left) || needs(Slot::right);
 }
 

@@ -273,7 +273,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     const widgets::Group group("view");
     Params& params = session.params;
     if (widgets::HasPlainTitles() && params.view.shows != Shows::color)
-        view_header(rect, tr(shows[params.view.shows]));
+        view_header(rect, say("Camera view: {what}", "what"_a = tr(shows[params.view.shows])).c_str());
     else if (params.view.beside.shows == Beside::settings && params.view.beside.layout == BesideLayout::halves)
         draw_beside_title(rect, rect.width() - px(150.0F), params, &BesideTitles::camera);
     else

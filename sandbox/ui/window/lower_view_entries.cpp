@@ -155,7 +155,7 @@ const LowerView passes{
         },
     .picture = LowerPicture::after_pass,
     .least_size = {440.0F, 380.0F},
-    .lowest = 240.0F,
+    .lowest = 200.0F,
 };
 
 const LowerView tree{
@@ -219,8 +219,8 @@ const LowerView mirror_ways{
     .draw =
         [](const FrameContext& frame) { draw_mirror_ways_view(frame.session, frame.rect, frame.pictures.mirror_ways); },
     .picture = LowerPicture::mirror_ways,
-    .least_size = {440.0F, 280.0F},
-    .lowest = 230.0F,
+    .least_size = {440.0F, 260.0F},
+    .lowest = 190.0F,
 };
 
 const LowerView from_light{

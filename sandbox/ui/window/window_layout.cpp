@@ -63,14 +63,16 @@ float height_of(const std::vector<std::string>& matrices, const Params& params, 
 /// Returns the height that a preset's caption and the matrices leave for the lower views on stage, in design pixels.
 /// The stage always has the same height, because everything on it grows with the window.
 float room_for_views(float matrices) {
-    constexpr float caption = 75.0F;
+    constexpr float caption = 68.0F;  // two lines
     return 30.0F * stage_type.caption - caption - matrices;
 }
 
 constexpr float header_and_gap = 36.0F;  // of a lower view on stage
 
-float lowest_on_stage(const LowerView& view) {
-    return view.lowest + header_and_gap;
+/// Returns the height that both lower views need on stage: `first` is legible, the other one at its lowest.
+float height_of_both(const Params& params, Slot first) {
+    return lower_view(params, first).least_size.y + lower_view(params, other_than(first)).lowest +
+           2.0F * header_and_gap;
 }
 
 }  // namespace
@@ -115,11 +117,10 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
 
 std::vector<std::string> matrices_on_stage(const Params& params, const NamedFile* preset, Slot first) {
     std::vector<std::string> matrices = matrices_about(params, preset);
-    const LowerView &view = lower_view(params, first), &other = lower_view(params, other_than(first));
     while (!matrices.empty()) {
-        const float wanted = names_both_topics(params) && matrices.size() > 1
-                                 ? lowest_on_stage(view) + lowest_on_stage(other)
-                                 : view.least_size.y + header_and_gap;
+        const bool is_for_both = names_both_topics(params) && matrices.size() > 1;
+        const float wanted =
+            is_for_both ? height_of_both(params, first) : lower_view(params, first).least_size.y + header_and_gap;
         if (wanted <= room_for_views(height_of(matrices, params, with_numbers))) break;
         matrices.pop_back();
     }
@@ -145,10 +146,10 @@ void open_lower_views(Arrangement& arrangement, const Params& params, Slot first
     // stage.
     for (ImVec2* least : {&views.least_left, &views.least_right}) least->x = std::min(least->x, 430.0F);
     const float room = room_for_views(arrangement.matrices_folded ? 0.0F : arrangement.telling.short_matrices);
-    const float first_view = lowest_on_stage(lower_view(params, first));
-    const bool fit_both = first_view + lowest_on_stage(lower_view(params, other_than(first))) <= room;
-    views.left = fit_both || (first == Slot::left && first_view <= room);
-    views.right = fit_both || (first == Slot::right && first_view <= room);
+    const bool fit_both = height_of_both(params, first) <= room;
+    const bool fits_first = lower_view(params, first).lowest + header_and_gap <= room;
+    views.left = fit_both || (first == Slot::left && fits_first);
+    views.right = fit_both || (first == Slot::right && fits_first);
 }
 
 Rect lower_views_area(const Layout& layout) {
