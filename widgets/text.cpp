@@ -20,6 +20,7 @@ namespace {
 /// Wraps a text at spaces. `width_of` measures a line.
 template <typename Measure>
 std::string Broken(std::string_view text, float width, const Measure& width_of) {
+    if (std::string whole(text); width_of(whole) <= width) return whole;
     std::string broken, line;
     while (!text.empty()) {
         std::string_view word = viewing::unbroken_start(text);

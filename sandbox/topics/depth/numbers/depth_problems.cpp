@@ -26,28 +26,23 @@ struct FlatExtent {
     }
 };
 
-/// Returns whether the planes, which are drawn first, need no depth test: each lies on the far side of those drawn
-/// before or behind it, and no object reaches behind a plane.
+/// Returns whether the planes, which are drawn first, need no depth test: of any two, the later one is in front, and no
+/// object reaches behind a plane.
 bool planes_are_painted_right(const Params& params, const Derived& derived, const Scene& scene) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
-    const auto is_in_front = [](const DerivedPlane& plane, const DerivedPlane& of) {
-        const std::array<glm::dvec3, 4> corners = plane.patch.corners();
+    // Whether a patch is on the eye's side of another plane (`sign` 1) or on the other side (−1).
+    const auto is_on_side = [](const DerivedPlane& one, const DerivedPlane& of, double sign) {
+        const std::array<glm::dvec3, 4> corners = one.patch.corners();
         return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-            return glm::dot(of.unit_plane, glm::dvec4(corner, 1.0)) * of.eye_side >= 0.0;
+            return sign * of.eye_side * glm::dot(of.unit_plane, glm::dvec4(corner, 1.0)) >= 0.0;
         });
     };
-    const auto is_behind = [](const DerivedPlane& plane, const DerivedPlane& of) {
-        const std::array<glm::dvec3, 4> corners = plane.patch.corners();
-        return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-            return glm::dot(of.unit_plane, glm::dvec4(corner, 1.0)) * of.eye_side <= 0.0;
-        });
-    };
-    for (std::size_t index = 0; index < planes.size(); ++index) {
-        const double side = planes[index].eye_side;
-        if (side != 0.0 && !objects_at_most(scene, std::copysign(1.0, side) * planes[index].unit_plane, -1e-6).empty())
-            return false;
-        for (std::size_t before = 0; before < index; ++before)
-            if (!is_in_front(planes[index], planes[before]) && !is_behind(planes[before], planes[index])) return false;
+    for (std::size_t later = 0; later < planes.size(); ++later) {
+        const DerivedPlane& plane = planes[later];
+        const glm::dvec4 towards_eye = std::copysign(1.0, plane.eye_side) * plane.unit_plane;
+        if (plane.eye_side != 0.0 && !objects_at_most(scene, towards_eye, -standing).empty()) return false;
+        for (std::size_t first = 0; first < later; ++first)
+            if (!is_on_side(plane, planes[first], 1.0) && !is_on_side(planes[first], plane, -1.0)) return false;
     }
     return true;
 }
