@@ -21,10 +21,18 @@ std::string csv_field(std::string_view text) {
     return quoted + '"';
 }
 
-bool is_always_right(GrowthMethod method) {
-    return method == GrowthMethod::newell || method == GrowthMethod::bsp_walk || method == GrowthMethod::z_buffer ||
-           method == GrowthMethod::ray_casting;
-}
+/// What the methods differ in.
+struct GrowthEntry {
+    std::string_view name, operation;
+    bool is_always_right;  ///< its picture, for any scene
+};
+constexpr PerEnum<GrowthMethod, GrowthEntry, growth_method_count> entries{
+    GrowthEntry{marked("the painter's algorithm"), marked("comparisons"), false},
+    GrowthEntry{marked("Newell's sort"), marked("pair tests"), true},
+    GrowthEntry{marked("building the BSP tree"), marked("plane tests"), false},
+    GrowthEntry{marked("walking the BSP tree"), marked("nodes visited"), true},
+    GrowthEntry{marked("the software z-buffer"), marked("pixels tested"), true},
+    GrowthEntry{marked("ray casting"), marked("box and triangle tests"), true}};
 
 const GrowthRow* sound_row(std::span<const GrowthRow> rows, GrowthMethod method, int polygons) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const GrowthRow& candidate) {
@@ -108,17 +116,11 @@ Message growth_of_work(std::span<const GrowthRow> rows) {
 }  // namespace
 
 std::string_view growth_method_name(GrowthMethod method) {
-    constexpr PerEnum<GrowthMethod, std::string_view, growth_method_count> names{
-        marked("the painter's algorithm"), marked("Newell's sort"),         marked("building the BSP tree"),
-        marked("walking the BSP tree"),    marked("the software z-buffer"), marked("ray casting")};
-    return names[method];
+    return entries[method].name;
 }
 
 std::string_view growth_operation_name(GrowthMethod method) {
-    constexpr PerEnum<GrowthMethod, std::string_view, growth_method_count> names{
-        marked("comparisons"),   marked("pair tests"),    marked("plane tests"),
-        marked("nodes visited"), marked("pixels tested"), marked("box and triangle tests")};
-    return names[method];
+    return entries[method].operation;
 }
 
 std::string growth_csv(std::span<const GrowthRow> rows, bool with_times) {
@@ -141,7 +143,7 @@ std::string growth_csv(std::span<const GrowthRow> rows, bool with_times) {
 std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int polygons) {
     const GrowthRow* least = nullptr;
     for (const GrowthRow& row : rows) {
-        if (row.polygons != polygons || !row.problem.empty() || !is_always_right(row.method)) continue;
+        if (row.polygons != polygons || !row.problem.empty() || !entries[row.method].is_always_right) continue;
         if (least == nullptr || row.work() < least->work()) least = &row;
     }
     return least != nullptr ? std::optional(least->method) : std::nullopt;
@@ -166,7 +168,7 @@ Message growth_times(std::span<const GrowthRow> rows) {
     int count = 0;
     for (const GrowthRow& row : rows) {
         const auto has_row = [&](GrowthMethod method) {
-            return !is_always_right(method) || sound_row(rows, method, row.polygons) != nullptr;
+            return !entries[method].is_always_right || sound_row(rows, method, row.polygons) != nullptr;
         };
         if (has_row(GrowthMethod::newell) && has_row(GrowthMethod::bsp_walk) && has_row(GrowthMethod::z_buffer) &&
             has_row(GrowthMethod::ray_casting))
@@ -176,7 +178,7 @@ Message growth_times(std::span<const GrowthRow> rows) {
     std::vector<Message> list;
     for (std::size_t i = 0; i < growth_method_count; ++i) {
         const auto method = static_cast<GrowthMethod>(i);
-        const GrowthRow* row = is_always_right(method) ? sound_row(rows, method, count) : nullptr;
+        const GrowthRow* row = entries[method].is_always_right ? sound_row(rows, method, count) : nullptr;
         if (row == nullptr) continue;
         list.push_back(message("{method} {time} ms ({least} to {most})",
                                "method"_a = Message(growth_method_name(method), {}),
