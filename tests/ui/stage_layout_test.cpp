@@ -8,6 +8,7 @@
 #include "readable.h"
 #include "trials.h"
 #include "ui/parts/layout.h"
+#include "ui/views/lower_view.h"
 
 namespace viewing::test {
 namespace {
@@ -179,6 +180,11 @@ protected:
             EXPECT_GE(layout.caption.min.y, layout.camera.max.y);
             const Rect hero{layout.camera.min, layout.beside.empty() ? layout.camera.max : layout.beside.max};
             EXPECT_GE(hero.width() * hero.height() / (room.x * layout.caption.min.y), is_wide ? 0.5F : 0.4F);
+            // The preset's own view is there and legible, whatever is beside it.
+            const Slot own = telling_slot(desk.params());
+            const Rect& own_view = own == Slot::left ? layout.lower_left : layout.lower_right;
+            const float lowest = lower_view(desk.params(), own).lowest * desk.workbench.widgets.scale;
+            EXPECT_TRUE(desk.params().view.layout.big != ViewName::none || own_view.height() >= 0.95F * lowest);
             std::size_t entries = 0;
             for (const RecordedItem& item : desk.recorded()) {
                 const bool is_entry =
@@ -208,6 +214,18 @@ TEST_F(FreeStage, EveryPresetFitsANarrowStage) {
 }
 TEST_F(FreeStage, EveryPresetFitsANarrowStageInKorean) {
     expect_good_stages({1024, 768}, Language::ko);
+}
+
+/// Its sentence and its caption compare the mirror's fovy with the camera's.
+TEST_F(FreeStage, AMirrorWithItsOwnFovyKeepsTheLens) {
+    Desk desk({1024, 768});
+    enter(desk);
+    desk.session.open("mirror-other-fovy");
+    desk.settle();
+    EXPECT_EQ(desk.workbench.stage.least_aspect, 0.0);
+    desk.session.open("mirror-xz");
+    desk.settle();
+    EXPECT_GT(desk.workbench.stage.least_aspect, 1.0);
 }
 
 TEST_F(FreeStage, F5AndEscapeLeadThereAndBackWithNothingChanged) {
