@@ -439,11 +439,8 @@ bool has_seen_face_in(const SceneObject& object, const glm::dvec4& unit_plane, d
         return is_at_most(object, plane, tolerance) && !is_above(object, -plane, tolerance);
     };
     if (!stands_on(unit_plane) && !stands_on(-unit_plane)) return false;
-    const CullParams& cull = params.cull;
-    const auto is_culled = [&cull](bool is_outside) {
-        const bool is_front = is_outside == (cull.front_face == FrontFace::ccw);
-        return cull.enabled && (cull.face == CullFace::front_and_back || is_front == (cull.face == CullFace::front));
-    };
+    // Seen from outside, triangles are counterclockwise.
+    const auto culls = [&](bool is_outside) { return is_culled(params.cull, is_front(params.cull, is_outside)); };
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         glm::dvec3 corners[3];
         bool is_in_plane = true;
@@ -457,7 +454,7 @@ bool has_seen_face_in(const SceneObject& object, const glm::dvec4& unit_plane, d
         const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * corners[0];
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const bool is_outside = glm::dot(normal, towards_eye) > 0.0;
-        if (!is_culled(is_outside) && (is_outside || is_culled(true))) return true;
+        if (!culls(is_outside) && (is_outside || culls(true))) return true;
     }
     return false;
 }

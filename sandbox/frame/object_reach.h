@@ -88,6 +88,17 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 /// Returns whether all forms are positive on part of a patch.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
+/// Returns whether a triangle with this winding on the screen is a front face.
+inline bool is_front(const CullParams& cull, bool is_counter_clockwise) {
+    return is_counter_clockwise == (cull.front_face == FrontFace::ccw);
+}
+
+/// Returns whether culling removes front or back faces.
+inline bool is_culled(const CullParams& cull, bool front_facing) {
+    if (!cull.enabled) return false;
+    return cull.face == CullFace::front_and_back || (cull.face == CullFace::front) == front_facing;
+}
+
 /// Returns whether culling leaves no triangle of the objects.
 inline bool culls_all(const Params& params) {
     return params.cull.enabled && params.cull.face == CullFace::front_and_back;

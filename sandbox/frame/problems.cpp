@@ -80,11 +80,12 @@ void say_weight(Sayer& tell, const Params& params, const Derived& derived, std::
                        });
     const bool is_only = derived.lights_world.size() == 1;
     if (!casts)
-        return tell(true, sentence("light.small_w",
-                                   "w = {w} makes {light} a point light at ({x}, {y}, {z}); only w = 0 gives parallel "
-                                   "light",
-                                   "w"_a = figures(light.w, 3), "light"_a = light_name(index, is_only ? 1 : 2),
-                                   "x"_a = coordinate(0), "y"_a = coordinate(1), "z"_a = coordinate(2)));
+        return tell(true,
+                    sentence("light.small_w",
+                             "w = {w} makes {light} a point light at ({x}, {y}, {z}); only w = 0 gives parallel "
+                             "light",
+                             "w"_a = figures(light.w, 3), "light"_a = light_name(index, derived.lights_world.size()),
+                             "x"_a = coordinate(0), "y"_a = coordinate(1), "z"_a = coordinate(2)));
     const Sentence point_light =
         is_only
             ? sentence(

@@ -53,9 +53,12 @@ float height_of(const std::vector<std::string>& matrices, const Params& params, 
         (is_named(matrices, "S") || is_named(matrices, "R")) && (params.planes.size() > 1 || params.lights.size() > 1);
     float height = 4.0F + (has_pair ? pair : 0.0F);
     for (const std::string& name : matrices) {
-        const int lines = lines_of(point_numbers(matrices, params.shadow.enabled, params.reflection.enabled));
-        const float follow = heading + line * static_cast<float>(lines);
-        height += is_matrix(name) ? of_matrix : name == "follow" ? follow : display_code_height;
+        if (name == "follow") {
+            const int lines = lines_of(point_numbers(matrices, params.shadow.enabled, params.reflection.enabled));
+            height += heading + line * static_cast<float>(lines);
+        } else {
+            height += is_matrix(name) ? of_matrix : display_code_height;
+        }
     }
     return height;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "frame/object_reach.h"
 #include "frame/plan/draw_calls.h"
 #include "geometry/shapes.h"
 #include "state/compare_func.h"
@@ -164,15 +165,6 @@ Meeting meeting_of(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, gl
     return {plan, pass, part_from_view(picture->share) * pass.clip_from_world, *own, picture->size_px};
 }
 
-bool is_front(const CullParams& cull, const PixelHit& hit) {
-    return hit.is_counter_clockwise == (cull.front_face == FrontFace::ccw);
-}
-
-bool is_culled(const CullParams& cull, bool front_facing) {
-    if (!cull.enabled) return false;
-    return cull.face == CullFace::front_and_back || (cull.face == CullFace::front) == front_facing;
-}
-
 /// The depth and stencil values of one pixel. Tests the surfaces that are sent to it.
 class PixelBuffers {
 public:
@@ -199,7 +191,7 @@ public:
         made.stored = code_of(made.window_depth, precision_);
         made.within = stored_within(made.window_depth, made.depth_error, precision_);
         made.is_sent = gl_gets_it;
-        made.front_facing = is_front(pass.cull, met.hit);
+        made.front_facing = is_front(pass.cull, met.hit.is_counter_clockwise);
         made.culled = is_culled(pass.cull, made.front_facing);
         made.step = depth_step(plan_.lens, plan_.depth_mapping, precision_, met.hit.distance);
         made.depth = pass.depth;
@@ -294,7 +286,7 @@ struct Batch {
 std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met>& found, std::optional<int> object) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (is_culled(pass.cull, is_front(pass.cull, found[i].hit))) continue;
+        if (is_culled(pass.cull, is_front(pass.cull, found[i].hit.is_counter_clockwise))) continue;
         if (object && found[i].object != *object) continue;
         if (!nearest || found[i].hit.distance < found[*nearest].hit.distance) nearest = i;
     }
