@@ -113,23 +113,33 @@ void flight(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 
     print_rate(count, picture);
 }
 
-double whole_frame_ms(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
+double whole_frame_ms(
+    Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px,
+    const std::function<void()>& before_painting = [] {}) {
     const Studio::Surroundings surroundings{.size_px = size_px, .input = {}};
     Studio studio(renderer, value_of(Session::make(state)));
     return median_thread_ms(count, [&](int i) {
         bench::edit(studio.session.params, i);
         studio.frame(surroundings);
+        before_painting();
         studio.paint();
     });
 }
 
 void draw_nothing(GLenum, GLsizei, GLenum, const void*) {}
 
+/// Makes Dear ImGui draw no triangles: it has its own loader of GL functions, so its draw calls cannot be replaced.
+void empty_interface() {
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int list = 0; list < data.CmdListsCount; ++list)
+        for (ImDrawCmd& command : data.CmdLists[list]->CmdBuffer) command.ElemCount = 0;
+}
+
 void frame_parts(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
     glEnable(GL_RASTERIZER_DISCARD);
     const auto draw = epoxy_glDrawElements;
     epoxy_glDrawElements = draw_nothing;
-    const double calls_ms = whole_frame_ms(renderer, state, count, size_px);
+    const double calls_ms = whole_frame_ms(renderer, state, count, size_px, empty_interface);
     epoxy_glDrawElements = draw;
     const double submit_ms = whole_frame_ms(renderer, state, count, size_px);
     glDisable(GL_RASTERIZER_DISCARD);

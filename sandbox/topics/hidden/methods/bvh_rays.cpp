@@ -54,12 +54,6 @@ VIEWING_INLINE unsigned bits_of(const Mask& mask) {
 #endif
 }
 
-/// Returns how many of eight bits are set, without a function call.
-VIEWING_INLINE int count_of(unsigned bits) {
-    const auto of_four = [](unsigned four) { return static_cast<int>(0x4332322132212110U >> 4 * four & 7); };
-    return of_four(bits & 15) + of_four(bits >> 4);
-}
-
 /// The three components of a vector, each with one value per lane.
 template <typename Number>
 using Three = std::array<Number, 3>;
@@ -167,28 +161,34 @@ struct Bvh::Together {
         const Three<Double> from_a{origin[part][0] - triangle.a.x, origin[part][1] - triangle.a.y,
                                    origin[part][2] - triangle.a.z};
         const Double b = dot(from_a, across) * inverse_volume;
-        const auto is_beside_ac = (b >= 0.0) & (b <= 1.0);
-        if (bits_of(is_beside_ac) == 0) return 0;
+        // The tests choose values because g++ compiles a & of comparisons lane by lane.
+        const Double missed = Double{} - 1.0;
+        const Double b_if_beside = b <= 1.0 ? b : missed;
+        if (bits_of(b_if_beside >= 0.0) == 0) return 0;
         const auto around = cross(from_a, ab);
         const Double c = dot(d, around) * inverse_volume;
         t = dot(ac, around) * inverse_volume;
-        return bits_of(is_beside_ac & (c >= 0.0) & (b + c <= 1.0) & (t >= 0.0) & (t <= max_t[part]));
+        Double t_if_met = b_if_beside >= 0.0 ? t : missed;
+        t_if_met = c >= 0.0 ? t_if_met : missed;
+        t_if_met = b + c <= 1.0 ? t_if_met : missed;
+        t_if_met = t <= max_t[part] ? t_if_met : missed;
+        return bits_of(t_if_met >= 0.0);
     }
 
     /// Calls visit(triangles, lanes as bits) for every leaf whose box some of the rays hit before they end; the lanes
     /// say which rays. visit may make rays end earlier.
     template <typename Visit>
     VIEWING_INLINE void go_down(const Bvh& bvh, RayCounters& counters, Visit visit) const {
+        if (bvh.nodes_.empty()) return;
         struct Waiting {
             int node, rays;
         };
         std::array<Waiting, deepest_bvh + 2> stack;
-        stack[0] = {0, count_of(bits_of(limit >= 0.0F))};
-        std::size_t waiting = bvh.nodes_.empty() ? 0 : 1;
-        while (waiting > 0) {
-            const Waiting next = stack[--waiting];
+        std::int64_t box_tests = 0, triangle_tests = 0;
+        std::size_t waiting = 0;
+        for (Waiting next{0, std::popcount(bits_of(limit >= 0.0F))};;) {
             const BvhNode& node = bvh.nodes_[next.node];
-            counters.box_tests += next.rays;
+            box_tests += next.rays;
             Float enter = Float{}, leave = limit;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const int i = static_cast<int>(axis);
@@ -198,19 +198,24 @@ struct Bvh::Together {
                 leave = out < leave ? out : leave;
             }
             const unsigned lanes = bits_of(enter <= leave);
-            if (lanes == 0) continue;
-            const int rays = count_of(lanes);
-            if (node.is_leaf()) {
-                counters.triangle_tests += std::int64_t{rays} * node.content;
+            const int rays = std::popcount(lanes);
+            if (lanes != 0 && !node.is_leaf()) {
+                const int near = static_cast<int>(near_corner[node.axis()]);
+                stack[waiting++] = {node.first + 1 - near, rays};
+                next = {node.first + near, rays};
+                continue;
+            }
+            if (lanes != 0) {
+                triangle_tests += std::int64_t{rays} * node.content;
                 visit(std::span(bvh.triangles_)
                           .subspan(static_cast<std::size_t>(node.first), static_cast<std::size_t>(node.content)),
                       lanes);
-                continue;
             }
-            const int near = static_cast<int>(near_corner[node.axis()]);
-            stack[waiting++] = {node.first + 1 - near, rays};
-            stack[waiting++] = {node.first + near, rays};
+            if (waiting == 0) break;
+            next = stack[--waiting];
         }
+        counters.box_tests += box_tests;
+        counters.triangle_tests += triangle_tests;
     }
 };
 
@@ -220,11 +225,8 @@ VIEWING_INLINE void Bvh::nearest_in(std::span<const BoundedRay> rays, std::span<
     const auto go = [&](std::span<const BoundedRay> some, RayHit * of_some) __attribute__((always_inline)) {
         Together<Lanes> together;
         if (!together.take(*this, some)) return false;
-        std::array<double, Lanes::count> same_t;
-        for (std::size_t lane = 0; lane < some.size(); ++lane) {
-            of_some[lane] = {};
-            same_t[lane] = same_t_ / half_diagonal_ / together.unit_t[lane];
-        }
+        std::fill_n(of_some, some.size(), RayHit{});
+        const double same_in_units = same_t_ / half_diagonal_;
         together.go_down(
             *this, counters, [&](std::span<const Triangle> leaf, unsigned lanes) __attribute__((always_inline)) {
                 for (const Triangle& triangle : leaf) {
@@ -236,10 +238,11 @@ VIEWING_INLINE void Bvh::nearest_in(std::span<const BoundedRay> rays, std::span<
                             const std::size_t in_half = static_cast<std::size_t>(std::countr_zero(met)),
                                               lane = part * Lanes::half + in_half;
                             RayHit& best = of_some[lane];
-                            const bool is_tie = best.is_hit() && std::abs(t[in_half] - best.t) <= same_t[lane];
+                            const double same_t = same_in_units / together.unit_t[lane];
+                            const bool is_tie = best.is_hit() && std::abs(t[in_half] - best.t) <= same_t;
                             if (is_tie ? triangle.source >= best.source : t[in_half] >= best.t) continue;
                             best = {t[in_half], triangle.polygon, triangle.source};
-                            together.end_at(lane, std::min(some[lane].max_t, best.t + same_t[lane]));
+                            together.end_at(lane, std::min(some[lane].max_t, best.t + same_t));
                         }
                     }
                 }
@@ -255,8 +258,9 @@ VIEWING_INLINE void Bvh::nearest_in(std::span<const BoundedRay> rays, std::span<
 }
 
 #ifdef __x86_64__
-__attribute__((target("avx2"))) void Bvh::nearest_with_avx2(std::span<const BoundedRay> rays, std::span<RayHit> hits,
-                                                            RayCounters& counters) const {
+__attribute__((target("avx2,popcnt"))) void Bvh::nearest_with_avx2(std::span<const BoundedRay> rays,
+                                                                   std::span<RayHit> hits,
+                                                                   RayCounters& counters) const {
     nearest_in<EightLanes>(rays, hits, counters);
 }
 #endif
