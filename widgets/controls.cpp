@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 #include "text/numbers.h"
@@ -104,7 +105,11 @@ void DrawLongPreview(ImDrawList* draw, ImVec2 min, float height, const char* pre
     const inner::FontScope font(CurrentContext().fonts.note);
     const std::string broken = BrokenAtBlanks(preview, room);
     const std::size_t end = broken.find('\n');
-    const bool has_two_lines = 1.5F * ImGui::GetFontSize() <= height;  // lines of digits and letters may be tight
+    // Lines of digits and letters may be tight; syllables, whose first byte is EA to ED, fill their lines.
+    const bool has_syllables = std::any_of(preview, preview + std::strlen(preview), [](char byte) {
+        return static_cast<unsigned char>(byte) >= 0xEA && static_cast<unsigned char>(byte) <= 0xED;
+    });
+    const bool has_two_lines = (has_syllables ? 1.9F : 1.5F) * ImGui::GetFontSize() <= height;
     const bool fits = ImGui::CalcTextSize(broken.c_str()).x <= room && end == broken.rfind('\n') &&
                       (end == std::string::npos || has_two_lines);
     const ImU32 ink = CurrentContext().palette.text;

@@ -61,15 +61,20 @@ bool LabelPlacer::IsCrossed(const Box& box) const {
                        [&box](const Line& line) { return Crosses(line.from, line.to, box.min, box.max); });
 }
 
-std::optional<LabelPlacer::Box> LabelPlacer::Find(ImVec2 point, ImVec2 size) const {
+std::optional<LabelPlacer::Box> LabelPlacer::Find(ImVec2 point, ImVec2 size, std::span<const ImVec2> rivals) const {
     std::optional<Box> crossed;
+    const auto is_nearer_to_rival = [&](const Box& box) {
+        const ImVec2 middle((box.min.x + box.max.x) * 0.5F, (box.min.y + box.max.y) * 0.5F);
+        const auto away = [&](ImVec2 from) { return std::hypot(middle.x - from.x, middle.y - from.y); };
+        return std::any_of(rivals.begin(), rivals.end(), [&](ImVec2 rival) { return away(rival) < away(point); });
+    };
     for (const float distance : {inner::Px(7), inner::Px(18), inner::Px(34)}) {
         for (const ImVec2& side : sides) {
             const float reach = side.x != 0.0F && side.y != 0.0F ? distance * 0.7F : distance;
             const ImVec2 min(std::round(point.x + side.x * (reach + size.x * 0.5F) - size.x * 0.5F),
                              std::round(point.y + side.y * (reach + size.y * 0.5F) - size.y * 0.5F));
             const Box box{min, ImVec2(min.x + size.x, min.y + size.y)};
-            if (!IsFree(box)) continue;
+            if (!IsFree(box) || is_nearer_to_rival(box)) continue;
             if (!IsCrossed(box)) return box;
             if (!crossed) crossed = box;
         }
@@ -77,13 +82,14 @@ std::optional<LabelPlacer::Box> LabelPlacer::Find(ImVec2 point, ImVec2 size) con
     return crossed;
 }
 
-bool LabelPlacer::Place(ImVec2 point, const char* text, ImU32 color, std::span<const LetterRole> roles) {
+bool LabelPlacer::Place(ImVec2 point, const char* text, ImU32 color, std::span<const LetterRole> roles,
+                        std::span<const ImVec2> rivals) {
     const inner::Face face = inner::FaceOf(nullptr);
     const bool is_formula = !roles.empty();
     const inner::FormulaLayout layout(is_formula ? text : "", roles, color, face);
     const ImVec2 size = is_formula ? layout.size : face.Measure(text);
     const ImVec2 margin(std::ceil(inner::Px(plate_margin_x)), std::ceil(inner::Px(plate_margin_y)));
-    const std::optional<Box> box = Find(point, ImVec2(size.x + 2.0F * margin.x, size.y + 2.0F * margin.y));
+    const std::optional<Box> box = Find(point, ImVec2(size.x + 2.0F * margin.x, size.y + 2.0F * margin.y), rivals);
     if (!box) return false;
 
     const float marker = inner::Px(4);

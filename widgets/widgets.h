@@ -402,8 +402,9 @@ public:
     LabelPlacer(ImDrawList* draw, ImVec2 min, ImVec2 max) : draw_(draw), min_(min), max_(max) {}
     void Avoid(ImVec2 min, ImVec2 max);      ///< keeps labels off this rectangle
     void AvoidLine(ImVec2 from, ImVec2 to);  ///< keeps labels off this line, if there is a free place beside it
-    /// Returns whether the label fit.
-    bool Place(ImVec2 point, const char* text, ImU32 color, std::span<const LetterRole> roles = {});
+    /// Returns whether the label fit. It is never placed nearer to one of the rivals than to its own point.
+    bool Place(ImVec2 point, const char* text, ImU32 color, std::span<const LetterRole> roles = {},
+               std::span<const ImVec2> rivals = {});
 
 private:
     struct Box {
@@ -414,7 +415,7 @@ private:
     };
     bool IsFree(const Box& box) const;
     bool IsCrossed(const Box& box) const;
-    std::optional<Box> Find(ImVec2 point, ImVec2 size) const;
+    std::optional<Box> Find(ImVec2 point, ImVec2 size, std::span<const ImVec2> rivals) const;
 
     ImDrawList* draw_;
     ImVec2 min_, max_;

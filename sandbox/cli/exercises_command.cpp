@@ -234,7 +234,7 @@ constinit const Command exercises_command{
     "command always gives the same sheet, and grade derives the same numbers again.",
     "exercises\n"
     "exercises --student 32201234 --course viewing-2026 --set shadow\n"
-    "exercises --student 32201234 --solutions --format json\n"
+    "exercises --student 32201234 --course viewing-2026 --solutions --format json\n"
     "exercises --test\n"
     "exercises mine.json --test",
     "0123489",

@@ -31,6 +31,12 @@ struct TypedMatrices {
     bool is_symbolic = false;
 };
 
+LookAt rounded(LookAt look_at, int digits) {
+    for (glm::dvec3* const part : {&look_at.eye, &look_at.center, &look_at.up})
+        for (int axis = 0; digits > 0 && axis < 3; ++axis) (*part)[axis] = rounded_to((*part)[axis], digits);
+    return look_at;
+}
+
 /// `look_at` is the camera to add to plain text, or null.
 std::string listed_as_text(const TypedMatrices& wish, const LookAt* look_at, const std::vector<Problem>& problems,
                            MatrixFormat format) {
@@ -46,7 +52,8 @@ std::string listed_as_text(const TypedMatrices& wish, const LookAt* look_at, con
         text += number_text(chosen.sign_name, *chosen.sign, format,
                             "uploaded is " + chosen.sign_name + " * " + chosen.name);
     }
-    if (format == MatrixFormat::text && look_at) text += "\nlook_at: " + look_at_call(*look_at, LookAtCall::glu) + "\n";
+    if (format == MatrixFormat::text && look_at)
+        text += "\nlook_at: " + look_at_call(rounded(*look_at, wish.digits), LookAtCall::glu) + "\n";
     if (format == MatrixFormat::text && !problems.empty()) text += "\n";
     for (const Problem& problem : problems)
         if (format == MatrixFormat::text) text += say(problem.sentence) + "\n";

@@ -108,7 +108,7 @@ std::vector<std::size_t> chosen_of(const Suite& suite, const TypedSuite& typed, 
 
 std::map<std::string, std::string> known_keys(const Suite& suite) {
     std::map<std::string, std::string> keys;
-    if (const Result<RunResult> earlier = read_run(suite.report))
+    if (const Result<RunResult> earlier = last_run(suite))
         for (const EntryResult& entry : earlier->entries)
             if ((entry.outcome == Outcome::passed || entry.outcome == Outcome::not_drawn) && !entry.key.empty())
                 keys[entry.name] = entry.key;
@@ -304,12 +304,13 @@ ExitStatus run_suite(const Command& self, const Arguments& arguments) {
     TypedSuite typed;
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
-    constexpr std::array verbs{"run", "accept", "merge", "worker"};
+    constexpr std::array verbs{"run", "accept", "merge"};
     if (typed.words.size() < 2) options.refuse("an action and a suite are required: " + std::string(self.synopsis));
     const std::string verb = typed.words.front();
-    const std::size_t choice = choice_option(options, "suite", verb, verbs);
+    const bool works = verb == "worker";  // a run with several jobs starts workers
+    const std::size_t choice = works ? verbs.size() : choice_option(options, "the action", verb, verbs);
     const std::vector<std::string> rest(typed.words.begin() + 2, typed.words.end());
-    if (verb != "run" && verb != "worker" &&
+    if (verb != "run" && !works &&
         (!typed.only.empty() || typed.jobs || typed.shard || typed.times || typed.cache || typed.github))
         options.refuse(verb + " does not take options of run");
     if (verb == "run") {
@@ -317,8 +318,8 @@ ExitStatus run_suite(const Command& self, const Arguments& arguments) {
         for (std::size_t i = 1; i < typed.words.size(); ++i) suites.push_back(value_or_end(load_suite(typed.words[i])));
         return run_suites(options, typed, suites);
     }
-    constexpr std::size_t accepts = 1, merges = 2, works = 3;
-    if (choice == works) end_with_parent();
+    constexpr std::size_t accepts = 1, merges = 2;
+    if (works) end_with_parent();
     const Suite suite = value_or_end(load_suite(typed.words[1]));
     if (choice == accepts) return accept(suite, rest);
     if (choice == merges) return merge(options, suite, rest);

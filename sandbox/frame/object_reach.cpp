@@ -105,7 +105,7 @@ Message names_of(const Scene& scene, Predicate is_so) {
     std::vector<Message> names;
     for (const SceneObject& object : scene.objects)
         if (is_so(object)) names.push_back(object_message(object.description.name));
-    return listed(names);
+    return enumerated(names);
 }
 
 bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {

@@ -151,14 +151,14 @@ void say_cut(std::vector<Problem>& problems, const Params& params, const std::ve
     tell.broken(
         cuts_before && nearer,
         sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at eye distance {z}",
-                 "near"_a = figures(near, 3), "objects"_a = listed(before), "z"_a = figures(nearest, 3)),
+                 "near"_a = figures(near, 3), "objects"_a = enumerated(before), "z"_a = figures(nearest, 3)),
         nearer ? near_setting(params.projection, *nearer) : "");
     tell(cuts_before && !nearer,
          sentence("view.near_cuts", "near = {near} cuts into {objects}: no gap is left in front of the eye",
-                  "near"_a = figures(near, 3), "objects"_a = listed(before)));
+                  "near"_a = figures(near, 3), "objects"_a = enumerated(before)));
     tell.broken(cuts_beyond,
                 sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at eye distance {z}",
-                         "far"_a = figures(far, 3), "objects"_a = listed(beyond), "z"_a = figures(farthest, 3)),
+                         "far"_a = figures(far, 3), "objects"_a = enumerated(beyond), "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }
 
@@ -177,7 +177,7 @@ void say_far(std::vector<Problem>& problems, const Params& params, const std::ve
         .broken(true,
                 sentence("view.image_beyond_far",
                          "far = {far} cuts off the mirror image of {objects}, which reaches to eye distance {z}",
-                         "far"_a = figures(params.projection.far, 3), "objects"_a = listed(names),
+                         "far"_a = figures(params.projection.far, 3), "objects"_a = enumerated(names),
                          "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }

@@ -73,6 +73,11 @@ bool has_equal_replay(const HandIn& a, const HandIn& b) {
     });
 }
 
+/// Returns what names a hand-in in notes about another.
+std::string name_of(const StudentGrade& grade) {
+    return grade.hand_in.student.empty() ? grade.file : printable(grade.hand_in.student);
+}
+
 /// Returns whose variant this is: the first student in the class who has it, and how many others have it too.
 std::string whose_variant(const std::vector<StudentGrade>& grades, const std::string& exercise, std::size_t variant) {
     std::string first;
@@ -81,11 +86,24 @@ std::string whose_variant(const std::vector<StudentGrade>& grades, const std::st
         for (const ItemGrade& item : grade.items) {
             if (item.exercise != exercise || item.variant != variant) continue;
             if (first.empty())
-                first = printable(grade.hand_in.student);
+                first = name_of(grade);
             else
                 ++others;
         }
     return others == 0 ? first : first + " and " + std::to_string(others) + " more";
+}
+
+/// Says which items answer another variant than the student's, and what decides the variant; "" if there are none.
+std::string other_variants(const StudentGrade& grade, const std::string& course) {
+    std::string items;
+    for (const ItemGrade& item : grade.items)
+        if (item.standing == Standing::other_variant)
+            items += (items.empty() ? "" : ", ") + item.exercise + " has variant " +
+                     std::to_string(grade.hand_in.find(item.exercise)->variant) + " instead of " +
+                     std::to_string(item.variant);
+    if (items.empty()) return "";
+    return items + ": made for another number than \"" + excerpt(grade.hand_in.student) +
+           "\" or another course than \"" + excerpt(course) + "\"";
 }
 
 /// Returns the verdict on an answer that the program itself never writes: the file was changed by hand.
@@ -325,6 +343,7 @@ StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::o
                          [&](const Exercise& exercise) { return exercise.id == item.exercise; }) &&
             std::find(also_known_.begin(), also_known_.end(), item.exercise) == also_known_.end())
             grade.notes.push_back("has \"" + excerpt(item.exercise) + "\", which is not a known exercise");
+    if (const std::string note = other_variants(grade, of_course); !note.empty()) grade.notes.push_back(note);
     if (is_hasty(grade)) grade.notes.emplace_back("everything right on the first try, within seconds");
     return grade;
 }
@@ -338,7 +357,7 @@ void compare_hand_ins(std::vector<StudentGrade>& grades) {
         for (std::size_t k = 0; k < grades.size() && grades[i].error.empty(); ++k) {
             if (k == i || !grades[k].error.empty()) continue;
             const HandIn& theirs = grades[k].hand_in;
-            const std::string other = printable(theirs.student);
+            const std::string other = name_of(grades[k]);
             if (mine.student == theirs.student) {
                 notes.push_back("another file from the same student: " + grades[k].file);
                 continue;

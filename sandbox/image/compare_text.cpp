@@ -5,6 +5,7 @@
 #include "image/compare.h"
 #include "text/json.h"
 #include "text/numbers.h"
+#include "text/words.h"
 
 namespace viewing {
 
@@ -54,8 +55,9 @@ std::string sentence(const CompareReport& report) {
         return "different: the sizes differ, A is " + size_text(report.size_a) + " and B is " +
                size_text(report.size_b) + "; in the part that both have, a channel differs by at most " +
                std::to_string(report.worst_found) + " of 255" + places(report);
-    const std::string left_out =
-        report.left_out > 0 ? "; " + std::to_string(report.left_out) + " pixels are left out by the mask" : "";
+    const std::string left_out = report.left_out > 0 ? "; " + counted(report.left_out, "pixel is left out by the mask",
+                                                                      "pixels are left out by the mask")
+                                                     : "";
     if (report.different == 0)
         return "equal: all " + (report.left_out > 0 ? compared + " compared" : size_text(report.size_a)) +
                " pixels are the same" + left_out;

@@ -174,6 +174,7 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
         const auto result = found.find(entry.name);
         if (result == found.end()) {
             EntryResult missing = result_for(entry);
+            missing.outcome = Outcome::not_drawn;
             missing.reasons = {"no shard contains it"};
             whole.entries.push_back(std::move(missing));
             continue;
@@ -195,8 +196,16 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
     return whole;
 }
 
+Result<RunResult> last_run(const Suite& suite) {
+    Result<RunResult> run = read_run(suite.report);
+    if (run && run->suite != suite.name)
+        return Error{suite.report.string() + " has the report of another suite, " + one_line(run->suite) + ": run " +
+                     one_line(suite.name) + " again, or give each suite a \"report\" folder of its own"};
+    return run;
+}
+
 RunResult with_earlier_results(RunResult run, const Suite& suite) {
-    Result<RunResult> earlier = read_run(suite.report);
+    Result<RunResult> earlier = last_run(suite);
     if (!earlier) return run;
     std::map<std::string, EntryResult> latest;
     for (RunResult* const one : {&*earlier, &run})
@@ -209,7 +218,7 @@ RunResult with_earlier_results(RunResult run, const Suite& suite) {
 }
 
 Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names) {
-    Result<RunResult> run = read_run(suite.report);
+    Result<RunResult> run = last_run(suite);
     if (!run) return Error{run.error()};
     std::vector<std::string> known;
     for (const EntryResult& entry : run->entries) known.push_back(entry.name);
@@ -227,6 +236,13 @@ Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::st
         const fs::path reference = suite.references / result.file_name;
         const std::pair<fs::path, fs::path> pairs[] = {{files.actual, reference.string() + ".png"},
                                                        {files.numbers, reference.string() + ".json"}};
+        const bool is_new = std::any_of(std::begin(pairs), std::end(pairs), [](const auto& pair) {
+            return is_there(pair.first) && (!is_there(pair.second) || all_bytes(pair.first) != all_bytes(pair.second));
+        });
+        if (!is_new && (result.outcome == Outcome::passed || names.empty())) continue;
+        if (!is_new)
+            return Error{one_line(result.name) + ": nothing to accept, the result equals its reference; the entry " +
+                         "itself requires something else: " + one_line(joined(result.reasons))};
         for (const auto& [source, target] : pairs)
             if (is_there(source))
                 if (const Status done = copy_bytes(source, target); !done) return Error{done.error()};

@@ -28,13 +28,17 @@ std::vector<std::string> stray_references(const Suite& suite);
 /// It is an error if an entry is in two shards, if it is not in the suite, or if the shards belong to different splits.
 Result<RunResult> merge_reports(const Suite& suite, const std::vector<std::filesystem::path>& folders);
 
+/// Reads the report of the suite's last run. Fails like read_run(), and if it is the report of another suite that uses
+/// the same folder.
+Result<RunResult> last_run(const Suite& suite);
+
 /// Completes a run of some entries with the report's results of the others, in the suite's order. Entries without a
 /// result are left out.
 RunResult with_earlier_results(RunResult run, const Suite& suite);
 
 /// Makes the results of the last run the new references, for the entries with these names or, without names, for all
 /// that are different, and updates the report. Returns the number of entries accepted. Fails if a name is unknown, if
-/// there was no run, or if nothing was drawn.
+/// there was no run, if nothing was drawn, or if an entry fails although its result equals its reference.
 Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names);
 
 }  // namespace viewing

@@ -53,6 +53,13 @@ Message listed(const std::vector<Message>& messages, std::string_view between) {
     return messages.empty() ? Message() : Message("{all}", {{"all", "", messages, between}});
 }
 
+Message enumerated(const std::vector<Message>& messages) {
+    if (messages.size() <= 1) return listed(messages);
+    const Message before = listed({messages.begin(), messages.end() - 1}), last = messages.back();
+    return messages.size() == 2 ? message("{names} and {last_name}", "names"_a = before, "last_name"_a = last)
+                                : message("{names}, and {last_name}", "names"_a = before, "last_name"_a = last);
+}
+
 Message begun(const Message& message) {
     return {"{all}", {{"all", "", {message}, "", Message::Value::Form::begun}}};
 }

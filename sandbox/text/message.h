@@ -84,6 +84,9 @@ Message verbatim(std::string text);
 /// Returns the message "a, b"; an empty one if there are none. `between` must live as long as the program.
 Message listed(const std::vector<Message>& messages, std::string_view between = ", ");
 
+/// Returns the message "a, b, and c", for names within a sentence; an empty one if there are none.
+Message enumerated(const std::vector<Message>& messages);
+
 /// Returns the message with a capital first letter; "n·ℓ" at its start stays as it is.
 Message begun(const Message& message);
 

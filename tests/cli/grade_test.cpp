@@ -121,6 +121,17 @@ TEST_F(GradeCommand, AnotherStudentsVariantIsNotJudgedAndMissingAnswersAreShown)
     const std::string table = grade(1, {"one.json"}).out;
     EXPECT_TRUE(has(table, " v! ")) << table;
     EXPECT_EQ(count_of(table, " - "), 2U) << table;
+    EXPECT_TRUE(has(table, "N01-far has variant " + std::to_string(other) + " instead of " +
+                               std::to_string(variant_of("1")) + ": made for another number than \"1\""))
+        << table;
+}
+
+TEST_F(GradeCommand, AHandInWithoutANumberIsNamedByItsFile) {
+    write("hand-ins/none.json", hand_in("", right_items("")));
+    write("hand-ins/2.json", hand_in("2", right_items("2")));
+    const std::string table = run({"grade", "hand-ins", "--exercises", "exercises"}).out;
+    EXPECT_TRUE(has(table, "none.json ")) << table;
+    EXPECT_TRUE(has(table, "same attempt times as hand-ins/none.json")) << table;
 }
 
 TEST_F(GradeCommand, AnInvalidAnswerIsWrong) {
@@ -216,6 +227,9 @@ TEST_F(GradeCommand, ThePageHasEverythingInIt) {
                                    "Effects of wrong matrices", "entered by 1 student", "Rows are columns. (M33)"})
         EXPECT_TRUE(has(page, part)) << part;
     EXPECT_FALSE(has(page, "<script"));
+    grade(1, {"hand-ins", "--html", "korean.html", "--language", "ko"});
+    EXPECT_TRUE(has(read("korean.html"), "<td>정답") || has(read("korean.html"), ">정답<"));
+    EXPECT_FALSE(has(read("korean.html"), "오른쪽"));
     EXPECT_EQ(count_of(page, "data:image/png;base64,iVBORw0KGgo"), 2U);
     for (const char* const tag : {"svg", "table", "details", "tr", "td", "th", "div", "p", "figure"}) {
         const std::string name = tag;

@@ -7,6 +7,7 @@
 #include "text/numbers.h"
 #include "topics/camera/numbers/look_at_text.h"
 #include "topics/matrices/numbers/fault_words.h"
+#include "topics/matrices/numbers/take_matrix.h"
 
 namespace viewing {
 namespace {
@@ -55,12 +56,15 @@ std::vector<std::string> contents(const ExplainedMatrix& found) {
     return lines;
 }
 
-std::vector<std::string> verdict(const ExplainedMatrix& found) {
+std::vector<std::string> verdict(const PastedMatrix& pasted, const ExplainedMatrix& found) {
     const FaultWords words = fault_words(found);
     std::vector<std::string> lines;
     const std::string off = "; the largest difference from the state's " + std::string(1, found.letter) +
                             (found.letter == 'S' ? ", apart from a factor, is " : " is ") + text_of(found.off);
-    if (found.fault == MatrixFault::none) {
+    if (is_misnamed(pasted.letter, found)) {
+        lines.push_back(std::string("wrong: its name says ") + pasted.letter + ", but it is " +
+                        (found.fault == MatrixFault::none ? "the state's " : "a ") + found.letter);
+    } else if (found.fault == MatrixFault::none) {
         lines.push_back("right: it is the state's " + std::string(1, found.letter));
         if (found.letter == 'C') lines.push_back("where V belongs, use its inverse");
     } else if (found.fault == MatrixFault::different) {
@@ -68,9 +72,10 @@ std::vector<std::string> verdict(const ExplainedMatrix& found) {
     } else if (found.fault == MatrixFault::unknown) {
         lines.push_back("wrong: " + std::string(words.wrong));
     } else {
-        lines.push_back("wrong: " + std::string(words.wrong) + off);
+        lines.push_back("wrong: " + std::string(words.wrong) + (found.right ? off : ""));
         lines.push_back("fix: " + std::string(words.fix));
     }
+    if (pasted.has_more) lines.push_back("more numbers follow: only the first matrix is explained");
     return lines;
 }
 
@@ -84,14 +89,10 @@ Json finite_or_null(double value) {
 
 }  // namespace
 
-bool is_wrong(const ExplainedMatrix& found) {
-    return found.fault != MatrixFault::none && found.fault != MatrixFault::different;
-}
-
 std::string explained_text(const PastedMatrix& pasted, const ExplainedMatrix& found, const ExplainedMatrix& own) {
     std::string text = std::string(matrix_title(found.letter)) + ", " + reading(pasted) + "\n";
     for (const std::string& line : contents(found)) text += "  " + line + "\n";
-    for (const std::string& line : verdict(found)) text += "  " + line + "\n";
+    for (const std::string& line : verdict(pasted, found)) text += "  " + line + "\n";
     const std::vector<std::string> state = contents(own);
     if (state == contents(found)) return text;
     for (const std::string& line : state) text += "  the state has: " + line + "\n";
@@ -99,12 +100,14 @@ std::string explained_text(const PastedMatrix& pasted, const ExplainedMatrix& fo
 }
 
 Json explained_json(const PastedMatrix& pasted, const ExplainedMatrix& found) {
+    const bool is_wrong = is_misnamed(pasted.letter, found) ||
+                          (found.fault != MatrixFault::none && found.fault != MatrixFault::different);
     Json json{{"matrix", found.letter == 0 ? Json() : Json(std::string(1, found.letter))},
-              {"fault", fault_words(found).name},
-              {"wrong", is_wrong(found)},
+              {"fault", is_misnamed(pasted.letter, found) ? "misnamed" : fault_words(found).name},
+              {"wrong", is_wrong},
               {"read_as", pasted.by_columns ? "columns" : "rows"},
               {"syntax", pasted.syntax}};
-    json["say"] = verdict(found);
+    json["say"] = verdict(pasted, found);
     if (found.camera)
         json["camera"] = {{"look_at",
                            {{"eye", as_json(found.camera->eye)},

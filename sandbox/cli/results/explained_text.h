@@ -9,9 +9,6 @@
 
 namespace viewing {
 
-/// Whether something is wrong with the matrix; false if it is right for this state or another one.
-bool is_wrong(const ExplainedMatrix& found);
-
 /// Returns the explanation as lines: how the text was read, what the matrix is, what is wrong, by how much, and the
 /// fix. `own` explains found.right, the state's matrix with the letter found.letter.
 std::string explained_text(const PastedMatrix& pasted, const ExplainedMatrix& found, const ExplainedMatrix& own);

@@ -262,7 +262,7 @@ std::string answer_cell(const Attempt& attempt, const Ask* ask) {
 }
 
 std::string told_cell(const Verdict& verdict) {
-    if (verdict.right) return tr("right");
+    if (verdict.right) return tr("correct");
     std::string text = verdict.points > 0 ? std::string(tr("partly right")) + ". " : "";
     text += verdict.say.empty() ? tr("wrong") : escaped(verdict.say.shown());
     return verdict.tag.empty() ? text : text + " (" + escaped(verdict.tag) + ")";

@@ -19,9 +19,13 @@ Figure::~Figure() {
     const float around = px(7.0F);
     for (const ImVec2& mark : marks_)
         placer.Avoid({mark.x - around, mark.y - around}, {mark.x + around, mark.y + around});
+    std::vector<ImVec2> measured;
+    for (const Label& label : labels_)
+        if (!label.is_name) measured.push_back(label.place);
     for (const Label& label : labels_) {
         ImGui::PushFont(label.is_name ? widgets::CurrentContext().fonts.heading : number_font());
-        placer.Place(label.place, label.text.c_str(), label.color);
+        placer.Place(label.place, label.text.c_str(), label.color, {},
+                     label.is_name ? std::span<const ImVec2>() : measured);
         ImGui::PopFont();
     }
 }

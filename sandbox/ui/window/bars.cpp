@@ -245,8 +245,9 @@ bool TopBar::draw(Workbench& window, PresetPicker& presets, const CommandContext
     if (has_undo) buttons += undo;
     const float room = layout.top_bar.width() - px(20.0F) - buttons;
     const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // without them, use Page up and Page down
-    const float share =
-        narrow ? std::clamp((room - (has_steps ? step_buttons_room() : 0.0F)) / lists, 0.1F, 1.0F) : 1.0F;
+    const float lists_room = room - (has_steps ? step_buttons_room() : 0.0F);
+    const float share = narrow ? std::clamp(lists_room / lists, 0.1F, 1.0F) : 1.0F;
+    const float spare = narrow ? std::clamp(lists_room - lists, 0.0F, px(50.0F)) : 0.0F;
     if (!narrow) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushFont(window.widgets.fonts.heading);
@@ -257,7 +258,7 @@ bool TopBar::draw(Workbench& window, PresetPicker& presets, const CommandContext
         ImGui::SameLine();
     }
     const std::string shown = scene_title(session.params.scene, scenes_);
-    if (const NamedFile* scene = choose_scene(shown.c_str(), scenes_, share * scene_width))
+    if (const NamedFile* scene = choose_scene(shown.c_str(), scenes_, share * scene_width + spare))
         session.params.scene = scene->name;
     explain(field("scene"));
     ImGui::SameLine(0.0F, px(narrow ? 6.0F : 18.0F));

@@ -52,9 +52,11 @@ void MatrixDialog::take(const Paste& paste, Session& session, const Derived& der
     const char letter = pasted->letter != 0 ? pasted->letter : paste.letter;
     const ExplainedMatrix found =
         explain_matrix(pasted->matrix, letter, session.params, derived.view_aspect, pasted->tolerance);
-    if (is_takeable(found))
+    const bool is_wrong_name = is_misnamed(pasted->letter, found);
+    if (is_takeable(found) && !is_wrong_name)
         return take_into(session, found.letter, pasted->matrix, derived.view_aspect, pasted->tolerance);
-    trouble_ = Trouble{*pasted, found, fixed_matrix(pasted->matrix, found), found.letter != 0 ? found.letter : letter};
+    trouble_ = Trouble{*pasted, found, is_wrong_name ? pasted->matrix : fixed_matrix(pasted->matrix, found),
+                       is_wrong_name || found.letter == 0 ? letter : found.letter};
 }
 
 void MatrixDialog::draw(Session& session, const Derived& derived) {
@@ -75,7 +77,10 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
         pasted.by_columns ? say("{matrix}, read as columns ({syntax})", "matrix"_a = title, "syntax"_a = pasted.syntax)
                           : say("{matrix}, read as rows ({syntax})", "matrix"_a = title, "syntax"_a = pasted.syntax);
     widgets::Note(read.c_str());
-    widgets::Trouble(tr(words.wrong));
+    widgets::Trouble(
+        is_misnamed(pasted.letter, found)
+            ? say("its name says {named}, but it is another matrix", "named"_a = std::string(1, pasted.letter)).c_str()
+            : tr(words.wrong));
     if (*words.fix != '\0') widgets::Note(say("Fix: {how}", "how"_a = tr(words.fix)).c_str());
     ImGui::EndChild();
     const bool fixes = fixed && widgets::Button("Fix and use it");

@@ -63,10 +63,15 @@ bool any_linear(const SceneObject& object, IsSo is_so) {
 
 template <typename IsSo>
 std::string names_linear(const Scene& scene, IsSo is_so) {
-    std::string names;
+    std::vector<std::string> names;
     for (const SceneObject& object : scene.objects)
-        if (is_so(object)) names += (names.empty() ? "" : ", ") + object.description.name;
-    return names;
+        if (is_so(object)) names.push_back(object.description.name);
+    std::string said;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const bool is_last = i > 0 && i + 1 == names.size();
+        said += (is_last && i == 1 ? " and " : is_last ? ", and " : i > 0 ? ", " : "") + names[i];
+    }
+    return said;
 }
 
 TEST(BoxTree, HoldsEveryItemOnceInAnEnclosingBox) {

@@ -161,7 +161,10 @@ TEST(CameraByHand, ARightMatrixIsNeverCalledWrong) {
 
 TEST(CameraByHand, WhatHasNoLensIsSaidAndOffersToComputeItAgain) {
     Params params;
-    params.camera_overrides.clip_from_view = derived_by_hand(params).clip_from_world;  // P V where P belongs
+    const dmat4 product = derived_by_hand(params).clip_from_world;  // P V where P belongs
+    params.camera_overrides.clip_from_view = product;
+    EXPECT_TRUE(problem_with_id(problems_by_hand(params), "by_hand.wrong_camera"));
+    params.camera_overrides.clip_from_view = product * glm::translate(dmat4(1.0), {1, 2, 3});
     const std::vector<Problem> problems = problems_by_hand(params);
     const Problem* const problem = problem_with_id(problems, "by_hand.no_lens");
     ASSERT_TRUE(problem);

@@ -280,7 +280,7 @@ TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
     };
     EXPECT_NE(problem_with_light_at(5.5).find("the part of high that is not between"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(5.5).find("low"), std::string::npos);
-    EXPECT_NE(problem_with_light_at(1.0).find("the part of low, high that is not"), std::string::npos);
+    EXPECT_NE(problem_with_light_at(1.0).find("the part of low and high that is not"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(7.01), "");
 }
 

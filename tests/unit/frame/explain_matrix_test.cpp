@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "topics/matrices/numbers/pasted_matrix.h"
+#include "topics/matrices/numbers/take_matrix.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {
@@ -99,6 +100,10 @@ const MatrixCase spoiled_matrices[] = {
     {"V left-handed", 'V', F::left_handed, [](const Sample& x, Random&) { return diagonal(1, 1, -1) * x.v; }},
     {"V of lookAtLH", 'V', F::looks_back,
      [](const Sample& x, Random&) { return glm::lookAtLH(x.eye, x.center, x.up); }},
+    {"V of +eye", 'V', F::eye_not_negated,
+     [](const Sample& x, Random&) { return dmat4(glm::dmat3(x.v)) * glm::translate(dmat4(1.0), x.eye); }},
+    {"V rotated first", 'V', F::wrong_order,
+     [](const Sample& x, Random&) { return glm::translate(dmat4(1.0), -x.eye) * dmat4(glm::dmat3(x.v)); }},
     {"V with w in the wrong row", 'V', F::translation_in_row,
      [](const Sample& x, Random&) { return with_row_of_translation(x.v); }},
     {"P in degrees", 'P', F::degrees,
@@ -135,6 +140,19 @@ const MatrixCase spoiled_matrices[] = {
      [](const Sample& x, Random&) {
          return glm::perspectiveLH_NO(glm::radians(x.fovy), x.aspect, 1.5 * x.near, x.far);
      }},
+    {"P with +2fn", 'P', F::depth_signs,
+     [](const Sample& x, Random&) {
+         dmat4 p = x.p;
+         p[3][2] = 2.0 * x.far * x.near / (x.far - x.near);
+         return p;
+     }},
+    {"P of another lens with +(f + n)", 'P', F::depth_signs,
+     [](const Sample& x, Random&) {
+         dmat4 p = glm::perspectiveRH_NO(glm::radians(x.fovy), x.aspect, 1.5 * x.near, x.far);
+         p[2][2] = -p[2][2];
+         return p;
+     }},
+    {"P V", 0, F::product, [](const Sample& x, Random&) { return x.p * x.v; }},
     {"−P", 'P', F::negated, [](const Sample& x, Random&) { return -x.p; }},
     {"−V", 'V', F::negated, [](const Sample& x, Random&) { return -x.v; }, 'V'},
     {"−3 S", 'S', F::negated, [](const Sample& x, Random&) { return -3.0 * x.s; }},
@@ -219,6 +237,32 @@ TEST(ExplainMatrix, NeverCallsARightMatrixWrong) {
     }
 }
 
+TEST(ExplainMatrix, ASignLostInTheLastRowOfSIsNoOtherLight) {
+    Random random(seed);
+    for (int i = 0; i < 200; ++i) {
+        const Sample x(random);
+        if (x.light.w == 0.0) continue;
+        dmat4 s = x.s;
+        for (int column = 0; column < 3; ++column) s[column][3] = -s[column][3];
+        EXPECT_EQ(x.explained(s).fault, MatrixFault::lost_sign);
+        EXPECT_EQ(x.explained(s).letter, 'S');
+    }
+}
+
+TEST(ExplainMatrix, ANameThatSaysAnotherMatrixIsAMistake) {
+    Random random(seed);
+    const Sample x(random);
+    const std::pair<char, dmat4> all[] = {{'V', x.v}, {'C', x.c}, {'P', x.p}, {'S', x.s}, {'R', x.r}};
+    for (const auto& [letter, matrix] : all)
+        for (const char named : {'\0', 'V', 'C', 'P', 'S', 'R'}) {
+            const bool swaps = (letter == 'V' && named == 'C') || (letter == 'C' && named == 'V');
+            const ExplainedMatrix found = x.explained(matrix, named);
+            EXPECT_EQ(is_misnamed(named, found), named != 0 && named != letter && !swaps) << letter << named;
+            EXPECT_EQ(found.fault, swaps ? MatrixFault::inverse : MatrixFault::none) << letter << named;
+        }
+    EXPECT_TRUE(is_misnamed('R', x.explained(glm::lookAtRH(x.eye + dvec3(0, 1, 0), x.center, x.up), 'R')));
+}
+
 TEST(ExplainMatrix, TellsWhatItHolds) {
     Random random(seed);
     for (int i = 0; i < 200; ++i) {
@@ -276,6 +320,19 @@ TEST(PastedMatrix, ReadsEachLanguage) {
         EXPECT_EQ(pasted->letter, text.front() == '[' ? 0 : 'V');
     }
     EXPECT_EQ(read_pasted_matrix("1 2 3").error(), "a matrix has 16 numbers, but there are 3");
+    const std::string rows_of_5 = "5 5 5 5\n5 5 5 5\n5 5 5 5\n5 5 5 5\n";
+    EXPECT_EQ(read_pasted_matrix("V =\n   1.0e+03 *\n" + rows_of_5)->matrix[3][3], 5000.0);
+    EXPECT_EQ(read_pasted_matrix("V = 2 *\n" + rows_of_5)->matrix[0][0], 10.0);
+    EXPECT_FALSE(read_pasted_matrix("V =\n" + rows_of_5)->has_more);
+    EXPECT_TRUE(read_pasted_matrix("V =\n" + rows_of_5 + "P =\n" + rows_of_5)->has_more);
+    EXPECT_EQ(read_pasted_matrix("nan " + rows_of_5.substr(2)).error(),
+              "a matrix has 16 numbers, but there are 15; nan and inf are none");
+    std::string commas;
+    for (int i = 0; i < 16; ++i) commas += "0,5 ";
+    EXPECT_EQ(read_pasted_matrix(commas).error(),
+              "a matrix has 16 numbers, but there are 32; write decimals with a point instead of a comma");
+    EXPECT_EQ(read_pasted_matrix("m[0] = " + rows_of_5 + "m[1] = 3").error(),
+              "a matrix has 16 numbers, but there are 19; leave out indices and labels");
     EXPECT_FALSE(read_pasted_matrix(""));
 }
 

@@ -1,6 +1,7 @@
 // A saved flight reads back exactly, whichever fields change in it. An error names the broken file and the frame.
 #include <gtest/gtest.h>
 
+#include "platform/sanitized.h"
 #include "random_params.h"
 #include "state/file/flight.h"
 #include "state/file/state_json.h"
@@ -19,7 +20,7 @@ Result<Flight> flight_of(const std::string& text) {
 TEST(Flight, ChangesBetweenAnyTwoStatesAreExact) {
     testing::RandomParams random(7);
     Params before;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < (is_sanitized ? 75 : 300); ++i) {
         const Params after = random.make();
         const Result<Params> changed = apply_settings(before, settings_to(before, after));
         ASSERT_TRUE(changed) << changed.error();

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "platform/sanitized.h"
 #include "suite/numbers_apart.h"
 #include "suite/report.h"
 #include "suite/suite_run.h"
@@ -216,12 +217,13 @@ TEST(Report, OfManyEntriesIsAlsoReadBack) {
     RunResult run = made_run();
     run.entries.assign(9'000, run.entries.back());
     for (EntryResult& entry : run.entries) entry.output = std::string(2'000, 'x');
+    if (is_sanitized) run.entries.resize(1'000);
     ASSERT_TRUE(write_report(folder, run));
-    EXPECT_GT(fs::file_size(folder / "report.json"), 16U << 20U);
+    EXPECT_GT(fs::file_size(folder / "report.json"), (is_sanitized ? 1U : 16U) << 20U);
     const Result<RunResult> again = read_run(folder);
     fs::remove_all(folder);
     ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(again->entries.size(), 9'000U);
+    EXPECT_EQ(again->entries.size(), run.entries.size());
 }
 
 class SuiteFiles : public ::testing::Test {

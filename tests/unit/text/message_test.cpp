@@ -14,6 +14,7 @@ protected:
         speak(std::vector<PoEntry>{{"Shadow of light {light}", "{light}번 빛의 그림자"},
                                    {"{pass} in mirror {mirrors}", "거울 {mirrors}: {pass}"},
                                    {"{light} on {plane}", "{plane}[/]: {light}"},
+                                   {"{names}, and {last_name}", "{names}, {last_name}"},
                                    {"the light", "빛"},
                                    {"the plane", "평면"},
                                    {"post", "기둥"}});
@@ -48,6 +49,16 @@ TEST_F(MessageTest, ListsObjectsByTheirTranslatedNames) {
     const std::vector<std::pair<std::string, std::string>> values = {{"objects", "기둥 3, my {own} thing"},
                                                                      {"z", "0.5"}};
     EXPECT_EQ(told.said_values(), values);
+}
+
+TEST_F(MessageTest, EnumeratesNamesAsInASentence) {
+    const Message light = message("the light"), post = object_message("post 3"), plane = message("the plane");
+    EXPECT_TRUE(enumerated({}).empty());
+    EXPECT_EQ(say(enumerated({light})), "the light");
+    EXPECT_EQ(say(enumerated({light, post})), "the light and post 3");
+    EXPECT_EQ(say(enumerated({light, post, plane})), "the light, post 3, and the plane");
+    speak_other();
+    EXPECT_EQ(say(enumerated({light, post, plane})), "빛, 기둥 3, 평면");
 }
 
 TEST_F(MessageTest, IsJoinedFromWholeMessages) {

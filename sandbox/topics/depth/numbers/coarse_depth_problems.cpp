@@ -224,7 +224,7 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
                     sentence("depth.face_in_plane",
                              "a side of {objects} lies in {plane}: where their depths round to the same code, the two "
                              "fight",
-                             "objects"_a = listed(touching), "plane"_a = plane_name),
+                             "objects"_a = enumerated(touching), "plane"_a = plane_name),
                     fix);
     }
 }

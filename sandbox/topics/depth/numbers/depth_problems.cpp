@@ -237,7 +237,7 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
         sentence("depth.code_of_cleared",
                  "at z = {z} and beyond, depth has the same code as the cleared buffer: GL_LESS rejects every fragment "
                  "of {objects} there",
-                 "z"_a = figures(start, 3), "objects"_a = listed(names)),
+                 "z"_a = figures(start, 3), "objects"_a = enumerated(names)),
         "depth.format");
 }
 

@@ -279,9 +279,10 @@ LinePart told(std::string text, bool is_wrong) {
 /// Reports wrong pixels outside the pairs. If some of them show a surface through a nearer one, reports only those.
 LinePart elsewhere(const FightingCounts& counts) {
     if (counts.bleeding_elsewhere > 0)
-        return told(say("elsewhere: {count} bleed through", "count"_a = grouped_number(counts.bleeding_elsewhere)),
+        return told(say_count(counts.bleeding_elsewhere, "elsewhere: {count} bleeds through",
+                              "elsewhere: {count} bleed through"),
                     true);
-    return told(say("elsewhere: {count} wrong pixels", "count"_a = grouped_number(counts.wrong_elsewhere)),
+    return told(say_count(counts.wrong_elsewhere, "elsewhere: {count} wrong pixel", "elsewhere: {count} wrong pixels"),
                 counts.wrong_elsewhere > 0);
 }
 

@@ -65,7 +65,7 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
         sentence("cull.negative_scale",
                  "the scale of {objects} is negative, which reverses the winding: front faces are clockwise and are "
                  "culled as back faces",
-                 "objects"_a = listed(mirrored)),
+                 "objects"_a = enumerated(mirrored)),
         "cull.enabled");
 }
 

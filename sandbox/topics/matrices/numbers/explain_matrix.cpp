@@ -54,6 +54,8 @@ ExplainedMatrix explain_matrix(const dmat4& pasted, char named, const Params& pa
     if (!is_known && !explain_structure(found, pasted, named, state, tolerance) &&
         explain_structure(found, glm::transpose(pasted), named, state, tolerance))
         found.fault = MatrixFault::transposed;
+    if (found.letter == 0 && is_same(pasted, state.first('P').right * state.first('V').right, tolerance))
+        found.fault = MatrixFault::product;
     if (found.letter == 0) return found;
     for (const Known& one : known)
         if (one.letter == found.letter && one.plane == found.plane && one.light == found.light) found.right = one.right;

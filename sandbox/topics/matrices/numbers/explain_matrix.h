@@ -19,9 +19,12 @@ enum class MatrixFault {
     translation_in_row,  ///< V, C: the translation is in the last row instead of the last column
     scaled,              ///< V, C: the axes do not have length 1
     left_handed,         ///< V, C: det −1; P: third column negated, so clip w is z instead of −z
-    lost_sign,           ///< P: the last row is (0, 0, 1, 0), so clip w is z instead of −z
+    lost_sign,           ///< P: the last row is (0, 0, 1, 0), so clip w is z; S: its last row begins with +n, not −n
+    depth_signs,         ///< P: one entry of the third row has the wrong sign, so near or far is negative
     negated,             ///< all signs are wrong: w is negative
     looks_back,          ///< V: x and z negated, as with lookAtLH
+    eye_not_negated,     ///< V: translated by the eye instead of by −eye
+    wrong_order,         ///< V: rotated first, so that the last column is −eye
     degrees,             ///< P: fovy in degrees instead of radians
     inverse_aspect,      ///< P: height ÷ width instead of width ÷ height
     zero_to_one,         ///< P: for a clip range 0 … 1, but not reversed
@@ -32,6 +35,7 @@ enum class MatrixFault {
     not_unit_normal,     ///< R: filled from a normal that is not a unit vector
     plus_2ab,            ///< R: the slide's +2ab in row 2, column 1
     different,           ///< a correct V, C or P of another camera, or S of another plane and light
+    product,             ///< the state's P V, which is none of the five
     unknown,             ///< none of the lecture's matrices
 };
 

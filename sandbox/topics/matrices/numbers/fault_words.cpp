@@ -32,6 +32,10 @@ FaultWords fault_words(const ExplainedMatrix& found) {
                                     marked("it is left-handed: w = z, so it shows what is behind the eye"),
                                     marked("negate the third column: in OpenGL, w = −z")};
         case MatrixFault::lost_sign:
+            if (found.letter == 'S')
+                return {"lost_sign",
+                        marked("the first three entries of its last row lost their sign, as if the light were at −ℓ"),
+                        marked("let the last row begin with −a, −b, −c (times the light's w)")};
             return {"lost_sign",
                     marked("the −1 in its last row lost its sign: w = z, so it shows what is behind the eye"),
                     marked("make the last row (0, 0, −1, 0)")};
@@ -42,6 +46,16 @@ FaultWords fault_words(const ExplainedMatrix& found) {
             return {"looks_back",
                     marked("right and back are negated: the camera looks the opposite way, as with lookAtLH"),
                     marked("negate the first and the third row (lookAtRH)")};
+        case MatrixFault::depth_signs:
+            return {"depth_signs",
+                    marked("the two entries of its third row have different signs, so near or far is negative"),
+                    marked("make −(f + n)/(f − n) and −2fn/(f − n) negative; if depth is reversed, both are positive")};
+        case MatrixFault::eye_not_negated:
+            return {"eye_not_negated", marked("it translates by the eye's position instead of by −eye"),
+                    marked("the last column of V is −Rᵀ eye")};
+        case MatrixFault::wrong_order:
+            return {"wrong_order", marked("it rotates first and then translates: its last column is −eye"),
+                    marked("V = R⁻¹ T(−eye): translate first, so the last column is −Rᵀ eye")};
         case MatrixFault::degrees:
             return {"degrees", marked("fovy is in degrees instead of radians"), marked("use glm::radians(fovy)")};
         case MatrixFault::inverse_aspect:
@@ -69,6 +83,9 @@ FaultWords fault_words(const ExplainedMatrix& found) {
                     marked("it should be −2ab")};
         case MatrixFault::different:
             return {"different", "", ""};
+        case MatrixFault::product:
+            return {"product", marked("it is the product P V, clip_from_world, of the state"),
+                    marked("to check P and V, give each by itself")};
         case MatrixFault::unknown:
             break;
     }

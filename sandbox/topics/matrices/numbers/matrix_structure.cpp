@@ -64,6 +64,11 @@ bool is_for_zero_to_one(const dmat4& p, const Params& params, double tolerance) 
     return is_meant(*one) && !is_meant(*minus_one);
 }
 
+dmat4 with_depth_signs(dmat4 p, const dmat4& right) {
+    for (const int column : {2, 3}) p[column][2] = std::copysign(p[column][2], right[column][2]);
+    return p;
+}
+
 namespace {
 
 /// The factors of a matrix of rank 1, column · rowᵀ; none for another rank.
@@ -177,14 +182,18 @@ bool explain_projection(ExplainedMatrix& found, const dmat4& m, char named, cons
     const bool looks_along_z = has_row(m, 3, {0, 0, 1, 0}, tolerance);  // w = z instead of −z
     // A left-handed P has the other sign in its third row, too.
     const bool only_lost_sign = looks_along_z && entry(m, 2, 2) * entry(state.first('P').right, 2, 2) > 0.0;
-    const dmat4 p = only_lost_sign ? flipped({1, 1, 1, -1}) * m : looks_along_z ? m * flipped({1, 1, -1, 1}) : m;
+    dmat4 p = only_lost_sign ? flipped({1, 1, 1, -1}) * m : looks_along_z ? m * flipped({1, 1, -1, 1}) : m;
+    // In a perspective P, both entries of the third row are negative or, if P reverses depth, positive.
+    const bool has_depth_signs = entry(p, 3, 2) == 0.0 || entry(p, 2, 2) * entry(p, 2, 3) >= 0.0;
+    if (!has_depth_signs) p = with_depth_signs(p, state.first('P').right);
     const bool zero_to_one = is_for_zero_to_one(p, state.params(), tolerance);
     const std::optional<FoundLens> lens = read_lens(p, zero_to_one, tolerance);
     const bool is_expected = named == 'P' || state.params().projection.type == ProjectionType::orthographic;
     if (!lens || (lens->orthographic && !is_expected)) return false;
     found.letter = 'P';
     found.lens = lens;
-    found.fault = only_lost_sign                          ? MatrixFault::lost_sign
+    found.fault = !has_depth_signs                        ? MatrixFault::depth_signs
+                  : only_lost_sign                        ? MatrixFault::lost_sign
                   : looks_along_z                         ? MatrixFault::left_handed
                   : zero_to_one && lens->near < lens->far ? MatrixFault::zero_to_one
                                                           : MatrixFault::different;

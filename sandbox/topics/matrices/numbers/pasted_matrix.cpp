@@ -171,6 +171,34 @@ std::vector<std::string_view> likely_parts(std::string_view text) {
     return parts;
 }
 
+/// Returns the factor that MATLAB prints before the entries of a matrix, as in "1.0e+03 *"; 1 if there is none.
+double common_factor(std::string_view front) {
+    const std::size_t star = front.find_last_not_of(" \t\r\n");
+    if (star == std::string_view::npos || front[star] != '*') return 1.0;
+    const std::vector<double> numbers = numbers_in(front.substr(0, star));
+    return numbers.empty() ? 1.0 : numbers.back();
+}
+
+/// Says why a text does not contain 16 numbers, as far as the text shows it.
+Error wrong_count(std::string_view text) {
+    const std::size_t count = numbers_in(text).size();
+    std::string error =
+        "a matrix has 16 numbers, but there " + std::string(count == 1 ? "is " : "are ") + std::to_string(count);
+    std::string small(text);
+    std::transform(small.begin(), small.end(), small.begin(),
+                   [](unsigned char sign) { return static_cast<char>(std::tolower(sign)); });
+    int commas = 0;  // between digits
+    for (std::size_t at = 1; at + 1 < text.size(); ++at)
+        commas += text[at] == ',' && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 &&
+                          std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0
+                      ? 1
+                      : 0;
+    if (has(small, "nan") || has(small, "inf")) return Error{error + "; nan and inf are none"};
+    if (count == 32 && commas >= 16) return Error{error + "; write decimals with a point instead of a comma"};
+    if (count > 16) error += "; leave out indices and labels";
+    return Error{error};
+}
+
 }  // namespace
 
 Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
@@ -184,22 +212,20 @@ Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
         numbers = numbers_in(part);
         if (numbers.size() == 16) break;
     }
-    if (numbers.size() != 16) {
-        const std::size_t count = numbers_in(whole).size();
-        return Error{"a matrix has 16 numbers, but there " + std::string(count == 1 ? "is " : "are ") +
-                     std::to_string(count)};
-    }
+    if (numbers.size() != 16) return wrong_count(whole);
+    const std::size_t begin = static_cast<std::size_t>(entries.data() - whole.data());
+    const double factor = common_factor(whole.substr(0, begin));
     PastedMatrix pasted;
     for (int i = 0; i < 16; ++i) {
-        const double number = numbers[i];
+        const double number = factor * numbers[i];
         if (!std::isfinite(number)) return Error{"every entry must be a finite number"};
         (syntax.by_columns ? pasted.matrix[i / 4][i % 4] : pasted.matrix[i % 4][i / 4]) = number;
     }
     pasted.syntax = syntax.name;
     pasted.by_columns = syntax.by_columns;
-    const std::size_t begin = static_cast<std::size_t>(entries.data() - whole.data());
     pasted.letter = letter_in(begin == 0 ? whole.substr(0, whole.find('=')) : whole.substr(0, begin));
     pasted.tolerance = written_tolerance(entries, pasted.matrix);
+    pasted.has_more = numbers_in(whole.substr(begin + entries.size())).size() >= 16;
     return pasted;
 }
 

@@ -66,7 +66,14 @@ std::vector<Spoiled> spoiled(const StateMatrices& state, const Known& one) {
             all.push_back({translation_in_row, with_translation_in_row(right)});
             all.push_back(
                 {left_handed, one.letter == 'V' ? flipped({1, 1, -1, 1}) * right : right * flipped({1, 1, -1, 1})});
-            if (one.letter == 'V') all.push_back({looks_back, flipped({-1, 1, -1, 1}) * right});
+            if (one.letter == 'V') {
+                all.push_back({looks_back, flipped({-1, 1, -1, 1}) * right});
+                dmat4 moved = right;
+                moved[3] = dvec4(-dvec3(right[3]), 1.0);
+                all.push_back({eye_not_negated, moved});
+                moved[3] = dvec4(-state.params().camera.position, 1.0);
+                all.push_back({wrong_order, moved});
+            }
             break;
         case 'P': {
             const bool zero_to_one = state.is_zero_to_one(), reversed_now = state.is_reversed();
@@ -80,6 +87,12 @@ std::vector<Spoiled> spoiled(const StateMatrices& state, const Known& one) {
             add(inverse_aspect, state.projection(zero_to_one, reversed_now, false, true));
             add(left_handed, right * flipped({1, 1, -1, 1}));
             if (right[2][3] != 0.0) add(lost_sign, flipped({1, 1, 1, -1}) * right);
+            break;
+        }
+        case 'S': {
+            dmat4 positive = right;
+            for (int column = 0; column < 3; ++column) positive[column][3] = -positive[column][3];
+            all.push_back({lost_sign, positive});
             break;
         }
         case 'R': {

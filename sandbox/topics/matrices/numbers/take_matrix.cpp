@@ -7,6 +7,7 @@
 #include "geometry/camera.h"
 #include "state/fields.h"
 #include "text/numbers.h"
+#include "topics/matrices/numbers/matrix_structure.h"
 
 namespace viewing {
 namespace {
@@ -104,6 +105,10 @@ bool is_takeable(const ExplainedMatrix& found) {
     }
 }
 
+bool is_misnamed(char named, const ExplainedMatrix& found) {
+    return named != 0 && named != found.letter && is_takeable(found);
+}
+
 std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& found) {
     if (found.fault == MatrixFault::negated) return -pasted;
     if (found.letter != 'V' && found.letter != 'C' && found.letter != 'P') return std::nullopt;
@@ -130,8 +135,12 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
             return with_depth_row(pasted, [](double z, double w) { return 2.0 * z - w; });
         case MatrixFault::minus_one_to_one:
             return with_depth_row(pasted, [](double z, double w) { return 0.5 * (z + w); });
+        case MatrixFault::depth_signs:
+            return with_depth_signs(pasted, *found.right);
         case MatrixFault::degrees:
         case MatrixFault::inverse_aspect:
+        case MatrixFault::eye_not_negated:
+        case MatrixFault::wrong_order:
             return found.right;
         default:
             return std::nullopt;

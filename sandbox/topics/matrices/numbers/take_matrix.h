@@ -11,6 +11,9 @@ namespace viewing {
 /// and far swapped is correct, too: depth is then reversed.
 bool is_takeable(const ExplainedMatrix& found);
 
+/// Returns whether the matrix could be taken, but is not the one that its name says: V, C, P, S, R; 0: it has no name.
+bool is_misnamed(char named, const ExplainedMatrix& found);
+
 /// Returns the pasted V, C or P without its fault; none for other matrices and unknown faults.
 std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const ExplainedMatrix& found);
 

@@ -96,14 +96,14 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                                sentence("reflection.image_in_front",
                                         "without the stencil, the mirror does not cover the image of {objects}, which "
                                         "lies in front of it",
-                                        "objects"_a = listed(in_front)),
+                                        "objects"_a = enumerated(in_front)),
                                "reflection.stencil");
         if (!touching.empty())
             return tell.broken(true,
                                sentence("reflection.image_touches",
                                         "without the stencil, depth decides where the mirror covers its image: where "
                                         "{objects} nearly touch the mirror, image and mirror have the same code",
-                                        "objects"_a = listed(touching)),
+                                        "objects"_a = enumerated(touching)),
                                "reflection.stencil");
     }
 }
@@ -206,7 +206,7 @@ void say_shown_through(Sayer& tell, const Params& params, const Derived& derived
                                sentence("reflection.shows_through",
                                         "the mirror is drawn last and blended: without the stencil, what is behind it "
                                         "shows through: {objects}",
-                                        "objects"_a = listed(behind)),
+                                        "objects"_a = enumerated(behind)),
                                "reflection.after_objects");
     }
 }

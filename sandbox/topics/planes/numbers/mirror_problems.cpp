@@ -102,7 +102,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                                sentence("reflection.object_across",
                                         "the mirror's plane cuts {objects}: the part behind it is mirrored too, and "
                                         "its image sticks out of the mirror",
-                                        "objects"_a = listed(across)),
+                                        "objects"_a = enumerated(across)),
                                fix(way));
         if (!behind.empty())
             return tell.broken(
@@ -110,7 +110,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                 sentence(
                     "reflection.object_behind",
                     "{objects} behind the mirror: without clipping, the mirror image appears in front of the mirror",
-                    "objects"_a = listed(behind)),
+                    "objects"_a = enumerated(behind)),
                 fix(way));
     }
 }

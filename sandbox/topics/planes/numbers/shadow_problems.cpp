@@ -201,7 +201,7 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
         sentence("shadow.vanishes",
                  "S is uploaded unchanged, and n·ℓ + d < 0 for {shadows}: every caster gets a negative w, so clipping "
                  "removes that shadow",
-                 "shadows"_a = listed(vanishing)),
+                 "shadows"_a = enumerated(vanishing)),
         "shadow.sign");
     for (const Thrown& one : thrown) {
         const Message names = shadow.clip_casters ? Message() : objects_at_most(scene, one.towards_light(), -standing);

@@ -69,7 +69,7 @@ Message sentence_of(const Why& made, const WhyQuestion& question) {
     const Touch* image = images.empty() ? nullptr : images.front();
     std::vector<Message> names;
     for (const std::string& caster : made.casters) names.push_back(object_message(caster));
-    const Message casters = listed(names);
+    const Message casters = enumerated(names);
     if (!surface && !image)
         return names.empty()
                    ? message("Nothing is drawn here: this is the background.")

@@ -173,7 +173,7 @@ void add_ray_row(Why& made, const WhyQuestion& question) {
          .sentences = {met.empty() ? message("The ray meets no surface.")
                        : met.size() == 1
                            ? message("The ray meets {surface}.", "surface"_a = listed(said))
-                           : message("The ray meets, from near to far: {surfaces}.", "surfaces"_a = listed(said))},
+                           : message("The ray meets, from near to far: {surfaces}.", "surfaces"_a = enumerated(said))},
          .is_quiet = met.empty()});
     if (met.empty()) return;
     made.lines.push_back({.kind = WhyLine::Kind::sight,
@@ -354,7 +354,7 @@ void add_sample_row(Why& made, const WhyQuestion& question) {
     made.rows.push_back({.kind = WhyRow::Kind::samples,
                          .title = message("Samples"),
                          .sentences = {message("With multisampling, several surfaces share this pixel: {surfaces}.",
-                                               "surfaces"_a = listed(parts))}});
+                                               "surfaces"_a = enumerated(parts))}});
 }
 
 namespace {
