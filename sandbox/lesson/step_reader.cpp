@@ -99,6 +99,14 @@ LoadedState read_start(const Json* state, LessonReading& reading, const Where& w
 
 namespace {
 
+/// If the step names one lower view and the state shows the same one in the other place, shows the observer there.
+void avoid_twins(LessonStep& step) {
+    ViewParams& view = step.start.params.view;
+    if (view.lower_left != view.lower_right || step.names_lower_left == step.names_lower_right) return;
+    Topic& other = step.names_lower_left ? view.lower_right : view.lower_left;
+    other = other == Topic::observer ? Topic::depth : Topic::observer;
+}
+
 /// A key of a step's layout, and its path in the state.
 struct LayoutPlace {
     const char *key, *path;
@@ -122,6 +130,7 @@ Object<LessonStep> layout_form() {
     for (const LayoutPlace& place : layout_places) {
         const auto change = [place](LessonStep& step, const Json* value, const Where& where) {
             step.start.params = changed(step.start.params, {std::string(place.path) + "=" + value->dump()}, where);
+            avoid_twins(step);
         };
         const auto schema = [place](Json&) { return field_schema(field(place.path)); };
         layout.optional(place.key, form::value("a value", schema), change);

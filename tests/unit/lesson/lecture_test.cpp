@@ -119,6 +119,15 @@ TEST(LectureLessons, EveryRevealShowsSomethingAndHasClaimsAndANote) {
     });
 }
 
+TEST(LectureLessons, NoStepShowsOneViewTwice) {
+    for_each_step([](const LessonStep& step, const std::string& name) {
+        for (const Params* const params : {&step.start.params, &step.revealed}) {
+            const ViewParams& view = params->view;
+            EXPECT_TRUE(view.lower_left == Topic::automatic || view.lower_left != view.lower_right) << name;
+        }
+    });
+}
+
 TEST(LectureLessons, TextsAreShortEnoughForTheLastRow) {
     for_each_step([](const LessonStep& step, const std::string& name) {
         for (const std::string& text : texts_of(step)) {
