@@ -100,7 +100,7 @@ std::string table(Format format, bool with_tags, const std::vector<Exercise>& ex
     if (format == Format::json) return grades_as_json(exercises, grades, tags, found);
     if (format == Format::csv) return with_tags ? tags_as_csv(tags) : grades_as_csv(exercises, grades);
     return grades_as_text(exercises, grades) + (with_tags && !tags.empty() ? "\n" + tags_as_text(tags) : "") +
-           (found.has_folders ? "\n" + files_in_words(grades, found) + "\n" : "");
+           (found.has_folders ? "\n" + files_in_words(grades, found) + "\n" + not_json_in_lines(found) : "");
 }
 
 bool is_cut(const StudentGrade& grade) {

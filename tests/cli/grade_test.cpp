@@ -112,6 +112,7 @@ TEST_F(GradeCommand, VerdictsInAFileAreNotTrusted) {
     EXPECT_EQ(student["hints"], 1);
     EXPECT_EQ(student["items"][0]["told"][0], "That is ten.");
     EXPECT_EQ(student["items"][1]["tags"], nlohmann::json({"", "M33"}));
+    EXPECT_EQ(student["items"][1]["right"], nlohmann::json({false, false}));
     EXPECT_EQ(student["items"][2]["standing"], "partly");
 }
 
@@ -251,7 +252,8 @@ TEST_F(GradeCommand, FoldersAreSearchedWithoutLinksAndSkippedFilesAreCounted) {
     fs::create_symlink("..", folder() / "hand-ins/b/round");
     const std::string counted = "3 files judged, 7 skipped: 3 not JSON, 2 links, 2 hidden";
     const Ended as_text = grade(0, {"hand-ins"});
-    EXPECT_TRUE(has(as_text.out, "\n\n" + counted + "\n")) << as_text.told();
+    EXPECT_TRUE(has(as_text.out, "\n\n" + counted + "\n  not JSON: hand-ins/b/a.json~\n")) << as_text.told();
+    EXPECT_TRUE(has(as_text.out, "\n  not JSON: hand-ins/notes.txt\n")) << as_text.told();
     const nlohmann::json all = grade(0, {"hand-ins", "--format", "json"}).json();
     std::vector<std::string> files;
     for (const nlohmann::json& student : all["students"]) files.push_back(student["file"]);

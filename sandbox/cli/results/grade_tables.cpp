@@ -151,10 +151,12 @@ Json item_as_json(const ItemGrade& item) {
                  {"hints", item.hints},
                  {"at_first_try", item.at_first_try},
                  {"tags", Json::array()},
+                 {"right", Json::array()},
                  {"told", Json::array()},
                  {"trouble", printable(item.trouble)}};
     for (const std::optional<Verdict>& verdict : item.verdicts) {
         json["tags"].push_back(verdict ? Json(verdict->tag) : Json());
+        json["right"].push_back(verdict ? Json(verdict->right) : Json());
         json["told"].push_back(verdict ? verdict->say.in_english() : "not judged");
     }
     return json;
@@ -251,6 +253,16 @@ std::string files_in_words(const std::vector<StudentGrade>& grades, const HandIn
         reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " +
                    (why == WhySkipped::link && count > 1 ? "links" : name_of(why));
     return text + ", " + std::to_string(files.skipped.size()) + " skipped: " + reasons;
+}
+
+std::string not_json_in_lines(const HandInFiles& files) {
+    constexpr std::size_t most = 20;
+    std::vector<std::string> names;
+    for (const auto& [file, why] : files.skipped)
+        if (why == WhySkipped::not_json) names.push_back(one_line(file.string()));
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += "  not JSON: " + names[i] + "\n";
+    return names.size() <= most ? text : text + "  … and " + std::to_string(names.size() - most) + " more\n";
 }
 
 double share(int students, int of) {

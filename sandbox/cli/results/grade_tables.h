@@ -29,6 +29,9 @@ std::string grades_as_json(const std::vector<Exercise>& exercises, const std::ve
 /// all counts that are 0 except the first.
 std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files);
 
+/// Returns a line for each skipped file that is not JSON, such as a hand-in in an archive; at most 20 of them by name.
+std::string not_json_in_lines(const HandInFiles& files);
+
 /// Returns students / of, clamped to 0 … 1; 0 if `of` is 0.
 double share(int students, int of);
 
