@@ -74,6 +74,18 @@ TEST(PasteMatrix, AFaultIsNamedAndFixed) {
     EXPECT_FALSE(is_recorded(desk, "pasted/Close"));
 }
 
+TEST(PasteMatrix, ANameOfAnotherMatrixIsAskedAbout) {
+    Desk desk;
+    const Params before = desk.params();
+    desk.clipboard = matrix_text("R", pasted_view, MatrixFormat::numpy);
+    press_paste(desk);
+    EXPECT_EQ(desk.params(), before);
+    ASSERT_TRUE(is_recorded(desk, "pasted/Show it as it is"));
+    desk.click("pasted/Fix and use it");
+    desk.settle();
+    EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
+}
+
 TEST(PasteMatrix, AnUnknownOneCanOnlyBeClosed) {
     Desk desk;
     const Params before = desk.params();
