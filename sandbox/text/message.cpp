@@ -55,7 +55,8 @@ Message listed(const std::vector<Message>& messages, std::string_view between) {
 
 Message enumerated(const std::vector<Message>& messages) {
     if (messages.size() <= 1) return listed(messages);
-    const Message before = listed({messages.begin(), messages.end() - 1}), last = messages.back();
+    const Message before = listed({messages.begin(), messages.end() - 1});
+    const Message& last = messages.back();
     return messages.size() == 2 ? message("{names} and {last_name}", "names"_a = before, "last_name"_a = last)
                                 : message("{names}, and {last_name}", "names"_a = before, "last_name"_a = last);
 }
