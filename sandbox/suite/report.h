@@ -38,7 +38,8 @@ RunResult with_earlier_results(RunResult run, const Suite& suite);
 
 /// Makes the results of the last run the new references, for the entries with these names or, without names, for all
 /// that are different, and updates the report. Returns the number of entries accepted. Fails if a name is unknown, if
-/// there was no run, if nothing was drawn, or if an entry fails although its result equals its reference.
+/// there was no run, if nothing was drawn, or if a named entry fails although its result equals its
+/// reference.
 Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names);
 
 }  // namespace viewing

@@ -327,6 +327,7 @@ TEST(PastedMatrix, ReadsEachLanguage) {
     EXPECT_TRUE(read_pasted_matrix("V =\n" + rows_of_5 + "P =\n" + rows_of_5)->has_more);
     EXPECT_EQ(read_pasted_matrix("nan " + rows_of_5.substr(2)).error(),
               "a matrix has 16 numbers, but there are 15; nan and inf are none");
+    EXPECT_EQ(read_pasted_matrix("info 1 2").error(), "a matrix has 16 numbers, but there are 2");
     std::string commas;
     for (int i = 0; i < 16; ++i) commas += "0,5 ";
     EXPECT_EQ(read_pasted_matrix(commas).error(),

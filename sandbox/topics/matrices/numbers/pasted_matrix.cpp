@@ -179,6 +179,14 @@ double common_factor(std::string_view front) {
     return numbers.empty() ? 1.0 : numbers.back();
 }
 
+bool has_word(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) return true;
+    }
+    return false;
+}
+
 /// Says why a text does not contain 16 numbers, as far as the text shows it.
 Error wrong_count(std::string_view text) {
     const std::size_t count = numbers_in(text).size();
@@ -193,7 +201,7 @@ Error wrong_count(std::string_view text) {
                           std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0
                       ? 1
                       : 0;
-    if (has(small, "nan") || has(small, "inf")) return Error{error + "; nan and inf are none"};
+    if (has_word(small, "nan") || has_word(small, "inf")) return Error{error + "; nan and inf are none"};
     if (count == 32 && commas >= 16) return Error{error + "; write decimals with a point instead of a comma"};
     if (count > 16) error += "; leave out indices and labels";
     return Error{error};
