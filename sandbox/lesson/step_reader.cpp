@@ -99,12 +99,12 @@ LoadedState read_start(const Json* state, LessonReading& reading, const Where& w
 
 namespace {
 
-/// If the step names one lower view and the state shows the same one in the other place, shows the observer there.
+/// If the step names one lower view and the state shows the same one in the other place, shows a neutral one there.
 void avoid_twins(LessonStep& step) {
     ViewParams& view = step.start.params.view;
     if (view.lower_left != view.lower_right || step.names_lower_left == step.names_lower_right) return;
     Topic& other = step.names_lower_left ? view.lower_right : view.lower_left;
-    other = other == Topic::observer ? Topic::depth : Topic::observer;
+    other = neutral_beside(other);
 }
 
 /// A key of a step's layout, and its path in the state.

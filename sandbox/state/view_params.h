@@ -53,6 +53,11 @@ struct Pin {
     bool operator==(const Pin&) const = default;
 };
 
+/// Returns a lower view that answers no question, to show beside `shown`.
+constexpr Topic neutral_beside(Topic shown) {
+    return shown == Topic::observer ? Topic::depth : Topic::observer;
+}
+
 struct ViewParams {
     Shows shows = Shows::color;
     DepthScale depth_scale = DepthScale::linear;
