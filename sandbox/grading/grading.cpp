@@ -73,11 +73,6 @@ bool has_equal_replay(const HandIn& a, const HandIn& b) {
     });
 }
 
-/// Returns what names a hand-in in notes about another.
-std::string name_of(const StudentGrade& grade) {
-    return grade.hand_in.student.empty() ? grade.file : printable(grade.hand_in.student);
-}
-
 /// Returns whose variant this is: the first student in the class who has it, and how many others have it too.
 std::string whose_variant(const std::vector<StudentGrade>& grades, const std::string& exercise, std::size_t variant) {
     std::string first;
@@ -86,7 +81,7 @@ std::string whose_variant(const std::vector<StudentGrade>& grades, const std::st
         for (const ItemGrade& item : grade.items) {
             if (item.exercise != exercise || item.variant != variant) continue;
             if (first.empty())
-                first = name_of(grade);
+                first = printable(grade.name());
             else
                 ++others;
         }
@@ -357,7 +352,7 @@ void compare_hand_ins(std::vector<StudentGrade>& grades) {
         for (std::size_t k = 0; k < grades.size() && grades[i].error.empty(); ++k) {
             if (k == i || !grades[k].error.empty()) continue;
             const HandIn& theirs = grades[k].hand_in;
-            const std::string other = name_of(grades[k]);
+            const std::string other = printable(grades[k].name());
             if (mine.student == theirs.student) {
                 notes.push_back("another file from the same student: " + grades[k].file);
                 continue;

@@ -53,6 +53,8 @@ struct StudentGrade {
     std::vector<std::string> notes;  ///< hints for the lecturer; never a judgment
     bool is_cut = false;             ///< time ran out before all answers within the budget were judged
 
+    /// What names the hand-in: the student number or, without one, the file.
+    const std::string& name() const { return hand_in.student.empty() ? file : hand_in.student; }
     int points() const;
     int of() const;
     int tried() const, at_first_try() const, hints() const;

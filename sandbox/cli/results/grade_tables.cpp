@@ -101,7 +101,7 @@ std::string aligned(const std::vector<Row>& rows) {
 
 Row text_row(const StudentGrade& grade) {
     if (!grade.error.empty()) return {printable(grade.error)};
-    Row row{excerpt(grade.hand_in.student.empty() ? grade.file : grade.hand_in.student)};
+    Row row{excerpt(grade.name())};
     for (const ItemGrade& item : grade.items) row.push_back(cell(item));
     row.push_back(std::to_string(grade.points()) + "/" + std::to_string(grade.of()));
     row.push_back(std::to_string(grade.at_first_try()) + "/" + std::to_string(grade.tried()));

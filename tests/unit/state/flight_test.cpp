@@ -5,6 +5,7 @@
 #include "random_params.h"
 #include "state/file/flight.h"
 #include "state/file/state_json.h"
+#include "trials.h"
 
 namespace viewing {
 namespace {
@@ -20,7 +21,7 @@ Result<Flight> flight_of(const std::string& text) {
 TEST(Flight, ChangesBetweenAnyTwoStatesAreExact) {
     testing::RandomParams random(7);
     Params before;
-    for (int i = 0; i < (is_sanitized ? 75 : 300); ++i) {
+    for (int i = 0; i < testing::trials(is_sanitized ? 75 : 300); ++i) {
         const Params after = random.make();
         const Result<Params> changed = apply_settings(before, settings_to(before, after));
         ASSERT_TRUE(changed) << changed.error();

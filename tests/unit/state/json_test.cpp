@@ -11,6 +11,7 @@
 #include "random_params.h"
 #include "state/file/document.h"
 #include "state/file/reader.h"
+#include "trials.h"
 
 namespace viewing {
 namespace {
@@ -115,7 +116,8 @@ TEST(State, WritesTheDefaultsAsListed) {
 
 TEST(State, RandomStatesRoundTripExactly) {
     constexpr unsigned first_seed = 20'200'000;
-    for (unsigned seed = first_seed; seed < first_seed + (is_sanitized ? 50 : 200); ++seed) {
+    const auto count = static_cast<unsigned>(testing::trials(is_sanitized ? 50 : 200));
+    for (unsigned seed = first_seed; seed < first_seed + count; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Params params = testing::RandomParams(seed).make();
         const std::string written = write_state(params);

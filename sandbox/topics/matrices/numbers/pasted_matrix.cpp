@@ -8,6 +8,7 @@
 
 #include "frame/matrix_facts.h"
 #include "text/numbers.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -36,6 +37,16 @@ std::string without_comments(std::string_view text) {
     return kept;
 }
 
+std::vector<std::string> words_in(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const std::size_t begin = at;
+        while (at < text.size() && is_word(text[at])) ++at;
+        if (at > begin) words.emplace_back(text.substr(begin, at - begin));
+    }
+    return words;
+}
+
 /// Returns the letter of the matrix that the words before the numbers name; 0 if they name none.
 char letter_in(std::string_view front) {
     static constexpr std::pair<std::string_view, char> names[] = {{"view_from_world", 'V'},
@@ -51,16 +62,11 @@ char letter_in(std::string_view front) {
                                                                   {"mirror", 'R'},
                                                                   {"reflection", 'R'}};
     char letter = 0;
-    for (std::size_t at = 0; at < front.size();) {
-        std::size_t end = at;
-        while (end < front.size() && is_word(front[end])) ++end;
-        std::string word(front.substr(at, end - at));
+    for (const std::string& word : words_in(front)) {
         if (word.size() == 1 && has("VCPSR", word)) letter = word.front();
-        std::transform(word.begin(), word.end(), word.begin(),
-                       [](unsigned char sign) { return static_cast<char>(std::tolower(sign)); });
+        const std::string small = in_lower_case(word);
         for (const auto& [name, its] : names)
-            if (word == name || word == std::string(name) + "matrix") letter = its;
-        at = std::max(end, at + 1);
+            if (small == name || small == std::string(name) + "matrix") letter = its;
     }
     return letter;
 }
@@ -179,29 +185,20 @@ double common_factor(std::string_view front) {
     return numbers.empty() ? 1.0 : numbers.back();
 }
 
-bool has_word(std::string_view text, std::string_view word) {
-    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) return true;
-    }
-    return false;
-}
-
 /// Says why a text does not contain 16 numbers, as far as the text shows it.
 Error wrong_count(std::string_view text) {
     const std::size_t count = numbers_in(text).size();
     std::string error =
         "a matrix has 16 numbers, but there " + std::string(count == 1 ? "is " : "are ") + std::to_string(count);
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](unsigned char sign) { return static_cast<char>(std::tolower(sign)); });
+    const std::vector<std::string> words = words_in(in_lower_case(std::string(text)));
+    const auto is_there = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
     int commas = 0;  // between digits
     for (std::size_t at = 1; at + 1 < text.size(); ++at)
         commas += text[at] == ',' && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 &&
                           std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0
                       ? 1
                       : 0;
-    if (has_word(small, "nan") || has_word(small, "inf")) return Error{error + "; nan and inf are none"};
+    if (is_there("nan") || is_there("inf")) return Error{error + "; nan and inf are none"};
     if (count == 32 && commas >= 16) return Error{error + "; write decimals with a point instead of a comma"};
     if (count > 16) error += "; leave out indices and labels";
     return Error{error};
