@@ -86,9 +86,9 @@ std::vector<StudentGrade> graded(const TypedGrade& typed, const HandInFiles& fou
     for (const std::string& trouble : found.troubles) grades.push_back(not_read(trouble, trouble));
     for (const fs::path& path : found.files) {
         const std::string file = one_line(path.string());
-        Result<HandIn> hand_in = load_hand_in(path);
-        grades.push_back(hand_in ? grader.grade(*std::move(hand_in), file, typed.course)
-                                 : not_read(file, hand_in.error()));
+        Result<ReadableHandIn> handed_in = load_readable_hand_in(path);
+        grades.push_back(handed_in ? grader.grade(*std::move(handed_in), file, typed.course)
+                                   : not_read(file, handed_in.error()));
     }
     compare_hand_ins(grades);
     return grades;
@@ -195,7 +195,8 @@ constinit const Command grade_command{
     "student's, ? for one that could not be judged. first try counts the exercises that were right on the first "
     "attempt, out of those tried. Notes point out answers that may deserve a look, without a judgment: the same times "
     "of attempts or the same changes in two files, everything right within seconds, another student's variant. A file "
-    "that cannot be read costs only its own line. In a file with too many answers, the last, the first and the latest "
+    "that cannot be read costs only its own line, and an answer that cannot be read only itself: a note names its "
+    "place in the file. In a file with too many answers, the last, the first and the latest "
     "that the file marks as right are judged, and its notes say so. In csv, first_try is a number and a missing answer "
     "an empty cell. The exit status is 0 if everybody has everything right, 1 if somebody does not, 2 if a file cannot "
     "be read.",

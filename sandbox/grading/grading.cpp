@@ -199,16 +199,24 @@ void Grader::stop_when(std::function<bool()> is_over, std::string why) {
 /// Returns everything about an exercise except the verdicts on its answers. If there are no answers to judge, the
 /// standing is final; otherwise, the result has an empty place for each verdict, or its `trouble` says why nothing
 /// is judged.
-ItemGrade Grader::before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course) {
+ItemGrade Grader::before_judging(std::size_t exercise, const ReadableHandIn& handed_in, const std::string& course) {
+    const HandIn& hand_in = handed_in.hand_in;
     const Exercise& asked = exercises_[exercise];
     ItemGrade grade;
     grade.exercise = asked.id;
     grade.of = asked.points;
     grade.variant = variant_of(course, hand_in.student, asked.id, asked.variants.size());
     const HandInItem* const item = hand_in.find(asked.id);
-    if (!item) return grade;
-    for (const Attempt& attempt : item->attempts) (attempt.hint > 0 ? grade.hints : grade.tries) += 1;
-    if (grade.tries == 0) return grade;
+    if (item)
+        for (const Attempt& attempt : item->attempts) (attempt.hint > 0 ? grade.hints : grade.tries) += 1;
+    if (grade.tries == 0) {
+        const auto left_out = std::find_if(handed_in.left_out.begin(), handed_in.left_out.end(),
+                                           [&](const LeftOut& part) { return part.exercise == asked.id; });
+        if (left_out == handed_in.left_out.end()) return grade;
+        grade.standing = Standing::not_judged;
+        grade.trouble = left_out->why;
+        return grade;
+    }
     if (item->variant != grade.variant) {
         grade.standing = Standing::other_variant;
         return grade;
@@ -311,15 +319,20 @@ void Grader::sum_up(ItemGrade& item, bool is_cut) const {
         item.standing = item.points > 0 ? Standing::partly : Standing::wrong;
 }
 
-StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::optional<std::string>& course) {
+StudentGrade Grader::grade(ReadableHandIn handed_in, const std::string& file,
+                           const std::optional<std::string>& course) {
     StudentGrade grade;
     grade.file = file;
-    grade.hand_in = std::move(hand_in);
-    const std::string of_course = course.value_or(grade.hand_in.course);
+    const std::string of_course = course.value_or(handed_in.hand_in.course);
+    for (std::size_t exercise = 0; exercise < exercises_.size(); ++exercise)
+        grade.items.push_back(before_judging(exercise, handed_in, of_course));
+    for (const LeftOut& part : handed_in.left_out)
+        if (std::none_of(grade.items.begin(), grade.items.end(),
+                         [&](const ItemGrade& item) { return item.trouble == part.why; }))
+            grade.notes.push_back("left out: " + part.why);
+    grade.hand_in = std::move(handed_in.hand_in);
     if (grade.hand_in.course != of_course)
         grade.notes.push_back("made for the course \"" + excerpt(grade.hand_in.course) + "\"");
-    for (std::size_t exercise = 0; exercise < exercises_.size(); ++exercise)
-        grade.items.push_back(before_judging(exercise, grade.hand_in, of_course));
     judge_by_turns(grade);
     std::string over_budget;
     for (ItemGrade& item : grade.items) {

@@ -90,14 +90,15 @@ public:
     void stop_when(std::function<bool()> is_over, std::string why);
 
     const std::vector<Exercise>& exercises() const { return exercises_; }
-    /// Grades a hand-in. `course`, if given, replaces the course in the file.
-    StudentGrade grade(HandIn hand_in, const std::string& file, const std::optional<std::string>& course);
+    /// Grades a hand-in. `course`, if given, replaces the course in the file. What was left out gets a note; an
+    /// exercise without a readable answer is then not judged instead of missing.
+    StudentGrade grade(ReadableHandIn handed_in, const std::string& file, const std::optional<std::string>& course);
     /// Returns the step for a variant; each step is made only once.
     const Result<LessonStep>& step(std::size_t exercise, std::size_t variant);
 
 private:
     struct Turns;
-    ItemGrade before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course);
+    ItemGrade before_judging(std::size_t exercise, const ReadableHandIn& handed_in, const std::string& course);
     std::vector<Turns> turns_of(StudentGrade& grade);
     void judge_by_turns(StudentGrade& grade);
     void judge_next(Turns& turns);

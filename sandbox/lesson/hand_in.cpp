@@ -88,6 +88,52 @@ Object<HandIn> hand_in_form() {
                   &HandIn::items);
 }
 
+/// Drops the entries of `list` for which `read` throws a Refusal, and calls `report(entry, why)` for each.
+template <typename Read, typename Report>
+void drop_unreadable(Json& list, const Where& where, const Read& read, const Report& report) {
+    Json readable = Json::array();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        try {
+            read(list[i], where.at(i));
+            readable.push_back(list[i]);
+        } catch (const Refusal& refusal) {
+            report(list[i], refusal.what());
+        }
+    }
+    list = std::move(readable);
+}
+
+/// Drops what hand_in_form() would refuse below the document's items.
+std::vector<LeftOut> drop_unreadable_items(Json& document) {
+    std::vector<LeftOut> left_out;
+    if (!document.is_object() || !document.contains("items") || !document["items"].is_array()) return left_out;
+    const form::Form<HandInItem> item_of_file = item_form().form();
+    const form::Form<Attempt> attempt_of_file = attempt_form().form();
+    const auto name_of = [](const Json& item) {
+        return item.is_object() && item.contains("exercise") && item["exercise"].is_string()
+                   ? item["exercise"].get<std::string>()
+                   : "";
+    };
+    const Where items{"", "items"};
+    for (std::size_t i = 0; i < document["items"].size(); ++i) {
+        Json& item = document["items"][i];
+        if (!item.is_object() || !item.contains("attempts") || !item["attempts"].is_array()) continue;
+        drop_unreadable(item["attempts"], items.at(i).key("attempts"), attempt_of_file.read,
+                        [&](const Json&, const std::string& why) {
+                            left_out.push_back({name_of(item), why});
+                        });
+    }
+    std::set<std::string> known;
+    const auto read_once = [&](const Json& item, const Where& where) {
+        if (!known.insert(item_of_file.read(item, where).exercise).second)
+            where.key("exercise").refuse("\"" + excerpt(name_of(item)) + "\" appears twice");
+    };
+    drop_unreadable(document["items"], items, read_once, [&](const Json& item, const std::string& why) {
+        left_out.push_back({name_of(item), why});
+    });
+    return left_out;
+}
+
 /// Writes sixteen numbers as a matrix, a single number as a number, and any other count as a list.
 Json numbers_as_json(const std::vector<double>& numbers) {
     if (numbers.size() == 1) return numbers.front();
@@ -179,6 +225,17 @@ Result<HandIn> load_hand_in(const std::filesystem::path& file) {
     const Result<std::string> text = read_text_file(file);
     if (!text) return Error{text.error()};
     return parse_hand_in(*text, one_line(file.string()));
+}
+
+Result<ReadableHandIn> load_readable_hand_in(const std::filesystem::path& file) {
+    const Result<std::string> text = read_text_file(file);
+    if (!text) return Error{text.error()};
+    return guarded([&] {
+        const Where root{one_line(file.string()) + ": ", ""};
+        Json document = parse_document(*text, root.prefix);
+        std::vector<LeftOut> left_out = drop_unreadable_items(document);
+        return ReadableHandIn{hand_in_form().read(document, root), std::move(left_out)};
+    });
 }
 
 std::string hand_in_as_text(const HandIn& hand_in) {

@@ -53,6 +53,22 @@ inline constexpr std::size_t most_replay_steps = 200, most_attempts = 1000;
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source);
 Result<HandIn> load_hand_in(const std::filesystem::path& file);
 
+/// An exercise, or an attempt at it, that cannot be read.
+struct LeftOut {
+    std::string exercise;  ///< "" if its name cannot be read either
+    std::string why;       ///< names the place in the file: "items[2].attempts[0].answer must be numbers"
+};
+
+/// The readable part of a hand-in, for grading. A window must not write this over the student's file.
+struct ReadableHandIn {
+    HandIn hand_in;
+    std::vector<LeftOut> left_out;  ///< in the order of the file
+};
+
+/// Reads a hand-in and leaves out what cannot be read: single attempts, otherwise whole exercises; also the second
+/// and later items of an exercise. The error means that nothing of the file can be graded.
+Result<ReadableHandIn> load_readable_hand_in(const std::filesystem::path& file);
+
 /// Returns the JSON Schema of hand-ins.
 std::string hand_in_schema();
 

@@ -171,6 +171,39 @@ TEST_F(GradeCommand, ABrokenFileCostsOnlyItsOwnLine) {
     EXPECT_EQ(all["students"][4]["points"], 7);
 }
 
+TEST_F(GradeCommand, AnUnreadableAnswerCostsOnlyItself) {
+    const std::string student = "32201234";
+    const std::string far_item = item("N01-far", variant_of(student), answer("40"));
+    const std::string near_item = item("G03-near", 0, change(R"({"projection.near": 0.1})"));
+    const auto graded_with = [&](const std::string& shadow_items) {
+        write("one.json", hand_in(student, far_item + "," + shadow_items + "," + near_item));
+        return grade(1, {"one.json", "--format", "json"}).json()["students"][0];
+    };
+    const std::string worded = graded_with(item("M02-shadow", 0, answer("\"as in the lecture\"")))["items"][1].dump();
+    EXPECT_TRUE(has(worded, "not_judged")) << worded;
+    EXPECT_TRUE(has(worded, "items[1].attempts[0].answer")) << worded;
+    for (const char* const unreadable :
+         {R"({"exercise": "M02-shadow", "variant": "two", "attempts": []})",
+          R"({"exercise": "M02-shadow", "attempt": []})", "7", R"({"attempts": [{"answer": 1}]})"}) {
+        const nlohmann::json student_grade = graded_with(unreadable);
+        EXPECT_EQ(student_grade["points"], 4) << unreadable;
+        EXPECT_TRUE(has(student_grade.dump(), "items[1]")) << student_grade;
+    }
+    // A second, readable answer counts; a second item of the same exercise does not.
+    write("two.json", hand_in(student, right_items(student) + "," + item("N01-far", 0, answer("1")) + "," +
+                                           item("N02", 0, answer("1") + R"(, {"answer": {}})")));
+    const nlohmann::json both = grade(0, {"two.json", "--format", "json"}).json()["students"][0];
+    EXPECT_EQ(both["points"], 7);
+    EXPECT_TRUE(has(both["notes"].dump(), "left out: items[3].exercise")) << both;
+    EXPECT_TRUE(has(both["notes"].dump(), "left out: items[4].attempts[1].answer")) << both;
+    // Every way of showing the grades has the reason.
+    write("one.json", hand_in(student, far_item + "," + item("M02-shadow", 0, answer("true")) + "," + near_item));
+    grade(1, {"one.json", "--html", "page.html"});
+    EXPECT_TRUE(has(read("page.html"), "items[1].attempts[0].answer"));
+    for (const char* const format : {"text", "csv"})
+        EXPECT_TRUE(has(grade(1, {"one.json", "--format", format}).out, "items[1].attempts[0].answer")) << format;
+}
+
 TEST_F(GradeCommand, ASpreadsheetGetsTextAndNoFormulas) {
     write("one.json", hand_in("=1+1", item("N01-far", variant_of("=1+1"), answer("10")), R"(@SUM(1, 2) \"Kim\")"));
     const std::string csv = grade(1, {"one.json", "--format", "csv"}).out;

@@ -70,7 +70,7 @@ TEST_F(GradingTest, AFileStaysWithinItsBudgetAndKeepsItsPoints) {
     numbers.back() = number(40);            // right in the end
     goals[7] = near_plane(0.125, "right");  // right already, and marked as right in the file
     Grader of_both = grader({number_exercise, measured_exercise});
-    const StudentGrade grade = of_both.grade(hand_in({{"N1", numbers}, {"G1", goals}}), "f.json", {});
+    const StudentGrade grade = of_both.grade({hand_in({{"N1", numbers}, {"G1", goals}}), {}}, "f.json", {});
     ASSERT_EQ(grade.items.size(), 2U);
     EXPECT_EQ(grade.items[0].standing, Standing::right);
     EXPECT_EQ(grade.items[1].standing, Standing::right);
@@ -94,7 +94,7 @@ TEST_F(GradingTest, AFileStaysWithinItsBudgetAndKeepsItsPoints) {
 
 TEST_F(GradingTest, RepeatingAnAnswerCostsNothing) {
     const std::vector<Attempt> again(1000, near_plane(0.3));
-    const StudentGrade grade = grader({measured_exercise}).grade(hand_in({{"G1", again}}), "f.json", {});
+    const StudentGrade grade = grader({measured_exercise}).grade({hand_in({{"G1", again}}), {}}, "f.json", {});
     EXPECT_EQ(grade.items[0].judged(), 1000U);
     EXPECT_EQ(grade.items[0].standing, Standing::wrong);
     EXPECT_TRUE(grade.notes.empty());
@@ -107,7 +107,7 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
         Grader of_both = grader({number_exercise, measured_exercise});
         int asked = -static_cast<int>(both.items.size());  // one more call per item, before its step is made
         of_both.stop_when([&] { return asked++ >= judged; }, "no time");
-        const StudentGrade grade = of_both.grade(both, "f.json", {});
+        const StudentGrade grade = of_both.grade({both, {}}, "f.json", {});
         const ItemGrade &typed = grade.items[0], &goal = grade.items[1];
         EXPECT_EQ(static_cast<int>(typed.judged() + goal.judged()), judged);
         EXPECT_EQ(grade.is_cut, judged < 5) << judged;
@@ -119,10 +119,10 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
     }
     Grader late = grader({number_exercise});
     late.stop_when([] { return true; }, "no time");
-    const StudentGrade none = late.grade(hand_in({{"N1", {number(40)}}}), "f.json", {});
+    const StudentGrade none = late.grade({hand_in({{"N1", {number(40)}}}), {}}, "f.json", {});
     EXPECT_EQ(none.items[0].standing, Standing::not_judged);
     EXPECT_TRUE(none.is_cut);
-    EXPECT_FALSE(late.grade(hand_in({}), "f.json", {}).is_cut) << "nothing was to be judged";
+    EXPECT_FALSE(late.grade({hand_in({}), {}}, "f.json", {}).is_cut) << "nothing was to be judged";
 }
 
 TEST_F(GradingTest, AStateIsMeasuredOnce) {

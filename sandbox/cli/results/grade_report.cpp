@@ -289,7 +289,8 @@ std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t
     const HandInItem* const handed_in = grade.hand_in.find(item.exercise);
     const std::string begin = "<tr><td>" + escaped(item.exercise) + "</td><td class=\"number\">";
     if (!handed_in || handed_in->attempts.empty())
-        return begin + "</td><td></td><td></td><td>" + tr("missing") + "</td></tr>\n";
+        return begin + "</td><td></td><td></td><td>" + (item.trouble.empty() ? tr("missing") : why_not_judged(item)) +
+               "</td></tr>\n";
     const LessonStep* const step = step_of(grader, item, exercise);
     std::string rows;
     std::size_t answers = 0;

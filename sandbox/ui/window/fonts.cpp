@@ -2,11 +2,12 @@
 
 #include <stb/stb_truetype.h>
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "ui/window/font_files.h"
 
@@ -54,40 +55,63 @@ ImFont* font(const Face& face, float size_px, const ImWchar* korean, float korea
     return font;
 }
 
-struct DeleteAtlas {
-    void operator()(ImFontAtlas* atlas) const { IM_DELETE(atlas); }
-};
-
-/// The fonts that were loaded last.
-struct LatestFonts {
+/// A filled atlas, and what it was filled for.
+struct LoadedFonts {
     float scale = 0.0F;
     TypeSizes type;
+    std::vector<ImWchar> syllables;  ///< ranges that end with 0, to which the atlas refers; empty: no Korean
     widgets::Fonts fonts;
-    const ImFontAtlas* atlas = nullptr;              ///< of a living context; null if it cannot be kept
-    std::unique_ptr<ImFontAtlas, DeleteAtlas> kept;  ///< of a destroyed context
+    ImFontAtlas* atlas = nullptr;
 };
-LatestFonts latest;
+
+/// Owns atlases that no context uses, the latest last.
+struct KeptFonts {
+    std::vector<LoadedFonts> all;
+
+    KeptFonts() = default;
+    ~KeptFonts() {
+        for (const LoadedFonts& one : all) IM_DELETE(one.atlas);
+    }
+    KeptFonts(const KeptFonts&) = delete;
+    KeptFonts& operator=(const KeptFonts&) = delete;
+};
+KeptFonts kept;
+std::vector<LoadedFonts> in_use;  // each atlas belongs to its context; some contexts may no longer exist
+
+std::vector<ImWchar> copied(const ImWchar* ranges) {
+    std::vector<ImWchar> all;
+    if (!ranges) return all;
+    while (*ranges != 0) all.push_back(*ranges++);
+    all.push_back(0);
+    return all;
+}
 
 }  // namespace
 
 widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type) {
     const bool has_korean =
         korean.has_any() && !font_file(regular.korean).empty() && !font_file(semibold.korean).empty();
-    const ImWchar* const syllables =
-        korean.ranges(has_korean ? font_file(regular.korean) : std::span<const std::byte>());
+    LoadedFonts made{
+        scale, type, copied(korean.ranges(has_korean ? font_file(regular.korean) : std::span<const std::byte>())), {}};
+    keep_fonts();
     ImFontAtlas*& own = ImGui::GetIO().Fonts;  // the context deletes it
-    if (latest.kept && !syllables && scale == latest.scale && type == latest.type) {
+    const auto same = std::find_if(kept.all.begin(), kept.all.end(), [&](const LoadedFonts& one) {
+        return one.scale == scale && one.type == type && one.syllables == made.syllables;
+    });
+    if (same != kept.all.end()) {
         IM_DELETE(own);
-        own = latest.kept.release();
-        latest.atlas = own;
-        ImGui::GetIO().FontDefault = latest.fonts.text;
-        return latest.fonts;
+        own = same->atlas;
+        ImGui::GetIO().FontDefault = same->fonts.text;
+        in_use.push_back(std::move(*same));
+        kept.all.erase(same);
+        return in_use.back().fonts;
     }
     ImFontAtlas& atlas = *own;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     // In Inter and JetBrains Mono, the em is larger than the letters: 14 design pixels of type need a 16-pixel font.
-    widgets::Fonts fonts;
+    const ImWchar* const syllables = made.syllables.empty() ? nullptr : made.syllables.data();
+    widgets::Fonts& fonts = made.fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
     fonts.heading = font(semibold, 16.0F * scale, syllables);
     fonts.note = font(regular, type.small * scale, syllables, small_korean);
@@ -96,17 +120,28 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type)
     fonts.matrix = type.matrix == TypeSizes{}.matrix ? fonts.number : font(mono, type.matrix * scale, syllables);
     fonts.caption = font(regular, type.caption * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
-    // A kept atlas must not refer to syllables, which their owner deletes.
-    latest = {scale, type, fonts, syllables ? nullptr : &atlas, nullptr};
-    return fonts;
+    made.atlas = &atlas;
+    in_use.push_back(std::move(made));  // its ranges stay where they are
+    return in_use.back().fonts;
 }
 
 void keep_fonts() {
+    constexpr std::size_t most_kept = 2;
     ImFontAtlas*& own = ImGui::GetIO().Fonts;
-    if (own != latest.atlas || own->Fonts.empty()) return;  // a new atlas may have the address of a deleted one
-    latest.atlas = nullptr;
-    latest.kept.reset(std::exchange(own, IM_NEW(ImFontAtlas)()));
-    ImGui::GetIO().FontDefault = nullptr;
+    const auto used = std::find_if(in_use.begin(), in_use.end(), [&](const auto& one) { return one.atlas == own; });
+    if (used == in_use.end()) return;
+    const ImVector<ImFont*>& fonts = own->Fonts;  // a new atlas may have the address of a deleted one
+    const bool is_filled = fonts.Size > 1 && fonts.front() == used->fonts.text && fonts.back() == used->fonts.caption;
+    if (is_filled) {
+        IM_FREE(std::exchange(own->TexPixelsRGBA32, nullptr));  // four times the size of the coverage, and made from it
+        kept.all.push_back(std::move(*used));
+        own = IM_NEW(ImFontAtlas)();
+        ImGui::GetIO().FontDefault = nullptr;
+    }
+    in_use.erase(used);
+    if (kept.all.size() <= most_kept) return;
+    IM_DELETE(kept.all.front().atlas);
+    kept.all.erase(kept.all.begin());
 }
 
 GlyphFace face_of(const ImFont& font, ImWchar character) {

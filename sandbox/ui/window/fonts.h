@@ -9,13 +9,14 @@
 
 namespace viewing {
 
-/// Fills ImGui's font atlas for a scale (pixels per design pixel × the theme's type scale). Call between frames;
-/// afterward, upload the atlas again before `korean` changes. A character missing from every font appears as a box.
+/// Gives ImGui's context a font atlas for a scale (pixels per design pixel × the theme's type scale): a kept one with
+/// the same fonts, or a new one. Keeps the previous atlas. Call between frames; afterward, upload the atlas again. A
+/// character missing from every font appears as a box.
 widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, const TypeSizes& type = {});
 /// Loads the same fonts without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
-/// Call just before ImGui's context is destroyed: keeps its atlas, if it is the one filled last and without Korean. The
-/// next load_fonts() that needs the same fonts takes it, which saves drawing each of their glyphs again.
+/// Call just before ImGui's context is destroyed: keeps its atlas for a later load_fonts() that needs the same fonts,
+/// which saves drawing each of their glyphs again. Only the latest two are kept.
 void keep_fonts();
 
 /// The font file that draws a character, and that file's em size when ImGui draws the font at its default size.

@@ -33,33 +33,36 @@ public:
 
     /// Returns 1 for each pixel that shows one of the two objects and whose ray hits both; incomplete if canceled.
     std::vector<std::uint8_t> where_both_are_met(const FlatPair& pair) const {
-        const RayScene first(polygons_of_object(pair.first)), second(polygons_of_object(pair.second));
-        const PixelRays rays(result_->request.viewpoint.clip_from_world(), objects_.width, objects_.height);
-        RayCounters counters;
         std::vector<std::uint8_t> met(objects_.ids.size(), 0);
-        std::vector<BoundedRay> row;
-        std::vector<std::size_t> pixels;
-        std::vector<RayCastHit> of_first, of_second;
-        for (int y = 0; y < objects_.height && !is_canceled(progress_); ++y) {
-            row.clear();
-            pixels.clear();
-            for (int x = 0; x < objects_.width; ++x) {
-                const int seen = objects_.id(x, y);
-                if (seen != pair.first && seen != pair.second) continue;
-                row.push_back(rays.through(x, y));
-                pixels.push_back(objects_.index(x, y));
-            }
-            of_first.resize(row.size());
-            of_second.resize(row.size());
-            first.nearest(row, of_first, counters);
-            second.nearest(row, of_second, counters);
-            for (std::size_t i = 0; i < row.size(); ++i)
-                met[pixels[i]] = of_first[i].source >= 0 && of_second[i].source >= 0 ? 1 : 0;
-        }
+        mark_hits(met, pair.first, pair.second);
+        mark_hits(met, pair.second, pair.first);
         return met;
     }
 
 private:
+    /// Marks each pixel that shows the object `seen`, which its ray therefore hits, and whose ray also hits `other`.
+    void mark_hits(std::vector<std::uint8_t>& met, int seen, int other) const {
+        const RayScene others(polygons_of_object(other));
+        const PixelRays rays(result_->request.viewpoint.clip_from_world(), objects_.width, objects_.height);
+        RayCounters counters;
+        std::vector<BoundedRay> row;
+        std::vector<std::size_t> pixels;
+        std::vector<RayCastHit> hits;
+        for (int y = 0; y < objects_.height && !is_canceled(progress_); ++y) {
+            row.clear();
+            pixels.clear();
+            for (int x = 0; x < objects_.width; ++x) {
+                if (objects_.id(x, y) != seen) continue;
+                row.push_back(rays.through(x, y));
+                pixels.push_back(objects_.index(x, y));
+            }
+            hits.resize(row.size());
+            others.nearest(row, hits, counters);
+            for (std::size_t i = 0; i < row.size(); ++i)
+                if (hits[i].source >= 0) met[pixels[i]] = 1;
+        }
+    }
+
     std::vector<Polygon> polygons_of_object(int object) const {
         std::vector<Polygon> found;
         for (const Polygon& polygon : *result_->fragments)
@@ -130,7 +133,8 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
         for (int y = 0; y < seen.height; ++y) {
             for (int x = 0; x < seen.width; ++x) {
                 const std::size_t pixel = seen.index(x, y);
-                of_pairs[pixel] |= met[pixel];
+                if (met[pixel] == 0) continue;
+                of_pairs[pixel] = 1;
                 if (!is_inside(met, seen, x, y)) continue;
                 ++counted.pixels;
                 counted.wrong += drawn.ids[pixel] != seen.ids[pixel] ? 1 : 0;
