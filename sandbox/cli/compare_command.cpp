@@ -70,9 +70,11 @@ ExitStatus compare(const Options& options, const TypedCompare& typed, const Thre
     Outputs outputs;
     if (typed.output) outputs.add(*typed.output, encode_png(diff_picture(a, b, limits, mask)));
     const ExitStatus status = found.equal ? ExitStatus::done : ExitStatus::different;
-    report.finish(outputs, status, sentence(found));
+    const bool is_deep = has_16_bits(typed.a) || has_16_bits(typed.b);
+    const std::string said = sentence(found) + (is_deep ? "; of 16-bit channels, only the upper 8 bits count" : "");
+    report.finish(outputs, status, said);
     const bool stdout_is_taken = typed.output == "-" || typed.json == "-";
-    if (!stdout_is_taken) print(sentence(found) + "\n");
+    if (!stdout_is_taken) print(said + "\n");
     return status;
 }
 
@@ -106,7 +108,8 @@ constinit const Command compare_command{
     "differs by more than --worst levels; the pictures are equal if the fraction of such pixels is at most --share. "
     "The portable profile does not count edges that are sampled differently, and allows neither a block of five "
     "different pixels nor a shift of the mean by more than 0.6 levels in any 16 × 16 pixels. Pictures of different "
-    "sizes are different. A picture has at most 16384 pixels per side and 64 million in total.",
+    "sizes are different. Channels of 16 bits are compared by their upper 8. A picture has at most 16384 pixels per "
+    "side and 64 million in total.",
     "compare mine.png reference.png\n"
     "compare mine.png reference.png --worst 3 --share 0.001 -o difference.png\n"
     "compare mine.png reference.png --profile portable --mask 0,0,120,40 --json report.json\n"

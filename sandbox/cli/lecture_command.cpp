@@ -57,6 +57,7 @@ ExitStatus write_lecture_handout(const Options& options, const TypedLecture& typ
                                  std::span<const FileArgument> files) {
     const FileArgument handout_file{"--handout", *typed.handout};
     check_outputs(options, {&handout_file, 1}, files);
+    check_page_name(options, "--handout", *typed.handout);
     write_handout(lecture_at(argument), *typed.handout, typed.answers, device_option(options, typed.device),
                   language_option(options, typed.language).value_or(Language::en));
     return ExitStatus::done;
@@ -116,7 +117,7 @@ ExitStatus run_lecture(const Command& self, const Arguments& arguments) {
         print(lines);
         return ExitStatus::done;
     }
-    if (typed.answers && !typed.handout) options.refuse("--answers needs --handout");
+    check_handout(options, typed.handout, typed.answers, typed.presents || typed.step || typed.notes);
     if (typed.lectures.empty() && own.empty())
         throw Failure(ExitStatus::bad_input, "there are no lectures: " + assets_problem());
     const std::string argument = typed.lectures.empty() ? own.front().id : typed.lectures.front();

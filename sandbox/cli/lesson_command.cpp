@@ -116,6 +116,7 @@ ExitStatus write_lesson_handout(const Options& options, const TypedLesson& typed
     if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
     const FileArgument handout_file{"--handout", *typed.handout};
     check_outputs(options, {&handout_file, 1}, lesson_files(typed));
+    check_page_name(options, "--handout", *typed.handout);
     write_handout(value_or_end(load_lesson(typed.lessons.front())), *typed.handout, typed.answers,
                   device_option(options, typed.device),
                   language_option(options, typed.language).value_or(Language::en));
@@ -188,7 +189,7 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
         return ExitStatus::done;
     }
     if (typed.check) return check(typed, device_option(options, typed.device));
-    if (typed.answers && !typed.handout) options.refuse("--answers needs --handout");
+    check_handout(options, typed.handout, typed.answers, typed.presents || typed.step || typed.notes);
     if (typed.handout) return write_lesson_handout(options, typed);
     return show_lesson(options, typed);
 }

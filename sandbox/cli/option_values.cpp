@@ -96,6 +96,19 @@ void check_picture_name(const Options& options, const char* name, const std::str
         options.refuse(std::string(name) + ": must end in " + endings + ", or be - for standard output" + got(target));
 }
 
+void check_handout(const Options& options, const std::optional<std::string>& handout, bool has_answers,
+                   bool opens_window) {
+    if (has_answers && !handout) options.refuse("--answers needs --handout");
+    if (!handout) return;
+    if (opens_window) options.refuse("--handout contains all steps: --present, --step and --notes need the window");
+}
+
+void check_page_name(const Options& options, const char* name, const std::string& target) {
+    const std::string ending = in_lower_case(std::filesystem::path(target).extension().string());
+    if (target != "-" && ending != ".html" && ending != ".htm")
+        options.refuse(std::string(name) + ": must end in .html, or be - for standard output" + got(target));
+}
+
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text) {
     if (!text) return std::nullopt;
     constexpr std::array choices{"0", "4"};

@@ -38,6 +38,12 @@ bool is_png_name(const std::string& name);
 void check_picture_name(const Options& options, const char* name, const std::string& target,
                         const char* endings = ".png");
 
+/// Refuses options that do not go with --handout or without it. `opens_window`: --present, --step or --notes is given.
+void check_handout(const Options& options, const std::optional<std::string>& handout, bool has_answers,
+                   bool opens_window);
+/// Refuses the name of a page unless it ends in .html or is "-".
+void check_page_name(const Options& options, const char* name, const std::string& target);
+
 /// Returns the value of --samples, 0 or 4; nothing if the option was left out.
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text);
 

@@ -76,8 +76,8 @@ void declare(Options& options, TypedSweep& typed) {
                  "Columns of a sheet; default: the second field's count, else a square");
     options.text("--csv", "FILE|-", typed.csv, "Writes a row for each picture: its values, and those of --value");
     options.texts("--value", "EXPRESSION", typed.values,
-                  "Adds a column to the table, an expression as in lessons (viewing-sandbox lesson --names): S[0][3], "
-                  "facts.plane_dot_light, fighting().wrong_fraction");
+                  "Adds a column to the table, an expression as in lessons (viewing-sandbox lesson --names), for "
+                  "pictures of --size: S[0][3], facts.plane_dot_light, fighting().wrong_fraction");
     options.group("Picture");
     options.text("--view", "VIEW", typed.view, "camera (default), window, depth, stencil, observer");
     options.text("--size", "WxH", typed.size, size_help);
@@ -93,6 +93,7 @@ void declare(Options& options, TypedSweep& typed) {
 
 /// Refuses the name of a new folder that looks like a file's.
 Kind kind_of(const Options& options, const std::string& output, std::string& ending) {
+    if (output == "-") options.refuse("-o: a sweep cannot go to standard output; --csv - writes its table there");
     ending = fs::path(output).extension().string();
     if (std::find(film_endings.begin(), film_endings.end(), ending) != film_endings.end()) return Kind::film;
     if (ending == ".png") return Kind::sheet;
@@ -134,10 +135,21 @@ void check_way(const Options& options, const TypedSweep& typed, bool is_flight) 
     if (is_flight && (typed.ease || typed.back)) options.refuse("--ease and --back need --vary; STATE is a flight");
 }
 
+/// Refuses two variations of the same field, or of a field and one of its parts: one would undo the other.
+void check_fields_differ(const Options& options, const std::vector<Variation>& variations) {
+    if (variations.size() < 2) return;
+    const std::string &a = variations[0].path, &b = variations[1].path;
+    const std::string &whole = a.size() < b.size() ? a : b, &part = a.size() < b.size() ? b : a;
+    if (part.starts_with(whole) &&
+        (part.size() == whole.size() || part[whole.size()] == '[' || part[whole.size()] == '.'))
+        options.refuse("--vary: " + one_line(a) + " and " + one_line(b) + " overlap: vary two different fields");
+}
+
 SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_flight) {
     SweepPlan wish;
     check_way(options, typed, is_flight);
     for (const std::string& text : typed.vary) wish.variations.push_back(value_or_end(Variation::parse(text)));
+    check_fields_differ(options, wish.variations);
     if (typed.together && wish.variations.size() != 2) options.refuse("--together needs two --vary");
     if (typed.together && wish.variations[0].count != wish.variations[1].count)
         options.refuse("--together: the two fields have " + std::to_string(wish.variations[0].count) + " and " +
@@ -230,6 +242,7 @@ public:
         state.params =
             value_or_end(walk_ ? walk_->at(stop.of_flight) : apply_settings(state.params, stop.settings, "--vary "));
         if (!(state.params.scene == loaded_.scene && state.params.coplanar == loaded_.coplanar)) {
+            if (!walk_ && state.params.scene != state_.params.scene) state.scene_origin = "--vary scene";
             scene_ = scene_of(state);
             loaded_ = state.params;
         }
@@ -244,10 +257,19 @@ private:
     Params loaded_;  ///< the parameters whose scene is loaded
 };
 
+/// Prints a list with the numbers in their shortest form, as in --vary: 5, not 5.0.
+std::string inner(const Json& value) {
+    if (value.is_number()) return shortest_number(value.get<double>());
+    if (!value.is_array()) return value.dump();
+    std::string text;
+    for (const Json& one : value) text += (text.empty() ? "" : ",") + inner(one);
+    return "[" + text + "]";
+}
+
 std::string cell(const Json& value) {
     if (value.is_null()) return "";
     if (value.is_number()) return std::isnan(value.get<double>()) ? "nan" : shortest_number(value.get<double>());
-    return csv_quoted(value.is_string() ? value.get<std::string>() : value.dump());
+    return csv_quoted(value.is_string() ? value.get<std::string>() : inner(value));
 }
 
 std::string head(const TypedSweep& typed, const SweepPlan& wish) {
@@ -259,11 +281,11 @@ std::string head(const TypedSweep& typed, const SweepPlan& wish) {
 }
 
 std::string row(const TypedSweep& typed, const std::vector<std::string>& settings, const LoadedState& state,
-                const LoadedState& start, const Scene& scene, Renderer& renderer) {
+                const LoadedState& start, const Scene& scene, Renderer& renderer, glm::ivec2 size_px) {
     std::string line;
     for (const std::string& setting : settings)
         line += (line.empty() ? "" : ",") + csv_quoted(setting.substr(setting.find('=') + 1));
-    LessonNumbers numbers(state.params, start.params, scene, &renderer);
+    LessonNumbers numbers(state.params, start.params, scene, &renderer, size_px);
     for (const std::string& expression : typed.values) {
         const Result<Json> value = evaluate(expression, numbers.surroundings());
         if (!value) refuse_expression(expression, value.error());
@@ -356,7 +378,9 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     Image image;
     for (std::size_t i = 0; i < steps.count(); ++i) {
         const LoadedState state = steps.at(i);
-        if (typed.csv) table += row(typed, steps.settings(i), state, start, steps.scene(), headless.renderer());
+        if (typed.csv)
+            table +=
+                row(typed, steps.settings(i), state, start, steps.scene(), headless.renderer(), wish.picture.size_px);
         if (!result) continue;
         if (drawn != state.params)
             image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture),

@@ -32,11 +32,13 @@ Error wants_arguments(const std::string& form) {
 
 }  // namespace
 
-LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene& scene, const Measurer& measurer)
+LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene& scene, const Measurer& measurer,
+                             glm::ivec2 size_px)
     : now_(now),
       start_(start),
       scene_(scene),
       renderer_(measurer.renderer()),
+      size_px_(size_px),
       known_(measurer.known(now, scene)),
       derived_(derive(now, scene, renderer_ ? renderer_->viewport(size_px, now, scene) : Viewport{size_px})) {}
 
@@ -57,29 +59,30 @@ const Json& LessonNumbers::matrices() {
 Result<Json> LessonNumbers::measured(const std::string& name, std::span<const double> arguments) {
     if (name == "order") {
         if (!arguments.empty()) return wants_arguments("order()");
-        return order_as_json(now_, scene_, size_px);
+        return order_as_json(now_, scene_, size_px_);
     }
     if (name == "bsp_order") {
         if (!arguments.empty()) return wants_arguments("bsp_order()");
-        return bsp_order_as_json(now_, scene_, size_px);
+        return bsp_order_as_json(now_, scene_, size_px_);
     }
     if (name == "newell_step") {
         if (!arguments.empty()) return wants_arguments("newell_step()");
-        return newell_step_as_json(now_, scene_, size_px);
+        return newell_step_as_json(now_, scene_, size_px_);
     }
     if (!renderer_) return Error{name + " is measured in pictures, which are not available here"};
     if (name == "pixel" || name == "why") {
         const auto is_place = [](double at, int end) { return at == std::floor(at) && at >= 0.0 && at < end; };
-        if (arguments.size() != 2 || !is_place(arguments[0], size_px.x) || !is_place(arguments[1], size_px.y))
-            return wants_arguments(name + "(x, y) with whole numbers below 1280 and 720");
+        if (arguments.size() != 2 || !is_place(arguments[0], size_px_.x) || !is_place(arguments[1], size_px_.y))
+            return wants_arguments(name + "(x, y) with whole numbers below " + std::to_string(size_px_.x) + " and " +
+                                   std::to_string(size_px_.y));
         const glm::ivec2 pixel(arguments[0], arguments[1]);
-        if (name == "pixel") return pixel_as_json(*renderer_, now_, scene_, pixel, size_px);
-        const Result<std::vector<Why>> explained = explained_pixels(*renderer_, now_, scene_, {&pixel, 1}, size_px);
+        if (name == "pixel") return pixel_as_json(*renderer_, now_, scene_, pixel, size_px_);
+        const Result<std::vector<Why>> explained = explained_pixels(*renderer_, now_, scene_, {&pixel, 1}, size_px_);
         return explained ? Result<Json>(why_as_json(explained->front())) : Result<Json>(Error{explained.error()});
     }
     if (!arguments.empty()) return wants_arguments(name + "()");
-    if (name == "fighting") return fighting_as_json(*renderer_, now_, scene_, size_px, true);
-    if (name == "mirror_ways") return mirror_as_json(*renderer_, now_, scene_, size_px);
+    if (name == "fighting") return fighting_as_json(*renderer_, now_, scene_, size_px_, true);
+    if (name == "mirror_ways") return mirror_as_json(*renderer_, now_, scene_, size_px_);
     if (const std::size_t count = scene_.triangle_count(); count > most_counted_polygons)
         return Error{"visibility_counts() takes scenes of at most " + grouped_number(most_counted_polygons) +
                      " polygons, but this one has " + grouped_number(static_cast<std::int64_t>(count))};

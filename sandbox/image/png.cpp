@@ -5,11 +5,13 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cerrno>
 #include <cmath>
 #include <csetjmp>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <new>
 #include <optional>
@@ -325,6 +327,14 @@ Result<Image> read_png(const std::filesystem::path& path) {
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     return read_picture(file->get(), path.string(), error ? std::nullopt : std::optional(bytes));
+}
+
+bool has_16_bits(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;  // reading a pipe would empty it
+    constexpr std::size_t place_of_depth = 24;                         // after the signature, the width and the height
+    std::array<char, place_of_depth + 1> head{};
+    return std::ifstream(path, std::ios::binary).read(head.data(), head.size()) && head[place_of_depth] == 16;
 }
 
 Result<Image> read_png(std::FILE* stream, const std::string& name) {

@@ -23,6 +23,8 @@ constexpr int most_image_pixels = 64'000'000;
 /// begins with the path and says that the file cannot be read, is not a PNG, is damaged or truncated, or, according to
 /// its header, exceeds largest_image_side or most_image_pixels.
 Result<Image> read_png(const std::filesystem::path& path);
+/// Returns whether a PNG file has 16 bits per channel; false for anything that cannot be read.
+bool has_16_bits(const std::filesystem::path& path);
 
 /// Pixels per inch on a typical screen.
 inline constexpr double usual_dpi = 96.0;

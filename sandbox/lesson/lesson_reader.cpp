@@ -157,7 +157,9 @@ Result<NamedSource> source_of(const std::string& argument) {
             if (file.id == argument) return NamedSource{file.path, file.path.filename().string()};
             ids.push_back(file.id);
         }
-    return Error{one_line(argument) + ": neither a file nor a lesson (viewing-sandbox lesson --list lists them)" +
+    return Error{one_line(argument) +
+                 ": neither a file nor a lesson or lecture (viewing-sandbox lesson --list and lecture --list "
+                 "list them)" +
                  suggestion(argument, ids)};
 }
 

@@ -83,7 +83,7 @@ Result<std::string> state_in_figure(const fs::path& path) {
     Result<std::string> note = read_figure_note(path);
     if (note && note->empty())
         return Error{one_line(path.string()) +
-                     ": this picture contains no state; only pictures written by this program do"};
+                     ": this picture contains no state; only pictures of one state that this program has written do"};
     return note;
 }
 

@@ -89,6 +89,18 @@ TEST_F(Comparison, AMaskExcludesPixels) {
     refused(snapshot({"-o", "x.png", "--mask", "0,0,1,1"}), {"--compare"});
 }
 
+/// The depths differ by less than 1/256: the answer says which bits it is about.
+TEST_F(Comparison, OfSixteenBitsItSaysWhichOnesCount) {
+    for (const char* const x : {"3.9", "3.9003"})
+        expect(0, {"snapshot", "--view", "depth", "--size", "40x20", "--set", std::string("camera.position[0]=") + x,
+                   "-o", std::string(x) + "z16.png"});
+    EXPECT_NE(read("3.9z16.png"), read("3.9003z16.png"));
+    const std::string said = expect(0, {"compare", "3.9z16.png", "3.9003z16.png", "--worst", "0"}).out;
+    EXPECT_TRUE(has(said, "only the upper 8 bits count")) << said;
+    expect(0, {"snapshot", "--view", "camera", "--size", "40x20", "-o", "plain.png"});
+    EXPECT_FALSE(has(expect(0, {"compare", "plain.png", "plain.png"}).out, "16-bit"));
+}
+
 TEST_F(Comparison, OnePictureMayComeFromStandardInput) {
     expect(0, snapshot({"-o", "a.png"}));
     expect(0, snapshot({"-o", "b.png", "--set", "camera.yaw=20"}));

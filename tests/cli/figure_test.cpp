@@ -50,8 +50,9 @@ TEST_F(Figure, CarriesItsState) {
         EXPECT_EQ(state, expect(0, {"state", "--set", setting, "--set", "view.lower_left=precision"}).out) << name;
     }
     write("none.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
-    EXPECT_EQ(expect(2, {"state", "none.svg"}).err,
-              "none.svg: this picture contains no state; only pictures written by this program do\n");
+    EXPECT_EQ(
+        expect(2, {"state", "none.svg"}).err,
+        "none.svg: this picture contains no state; only pictures of one state that this program has written do\n");
     write("broken.pdf", "%PDF-1.5 viewing-sandbox-state-7b22");
     EXPECT_NE(expect(2, {"state", "broken.pdf"}).err.find("broken.pdf"), std::string::npos);
 }

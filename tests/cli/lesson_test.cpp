@@ -155,6 +155,20 @@ TEST_F(LessonCommand, HandoutHasAPageForEachStepAndAnswersOnRequest) {
     EXPECT_TRUE(has(expect(0, {"lesson", "mine.json", "--handout", "-", "--answers"}).out, "Forty."));
 }
 
+TEST_F(LessonCommand, AHandoutIsAPageAndHasAllSteps) {
+    for (const char* const command : {"lesson", "lecture"}) {
+        const std::vector<std::string> words{command, command == std::string("lesson") ? "gl-depth" : "viewing"};
+        const auto with = [&](std::vector<std::string> more) {
+            more.insert(more.begin(), words.begin(), words.end());
+            return more;
+        };
+        refused(with({"--handout", "page.pdf"}), {"--handout", ".html", "page.pdf"});
+        refused(with({"--handout", "page.html", "--step", "2"}), {"--handout", "--step"});
+        refused(with({"--handout", "page.html", "--present"}), {"--handout", "--present"});
+        EXPECT_FALSE(exists("page.pdf") || exists("page.html"));
+    }
+}
+
 TEST_F(LessonCommand, ALessonGivenAsAStateIsReported) {
     write("mine.json", lesson_with("true"));
     EXPECT_TRUE(has(expect(2, {"state", "mine.json"}).err, "viewing-sandbox lesson mine.json"));

@@ -40,6 +40,39 @@ TEST_F(Sweep, WritesATableOfExpressions) {
                                                          "2,2,2", "3,3,3", "4,4,4"}));
 }
 
+/// The numbers belong to the pictures of --size: a square picture has P[0][0] = P[1][1].
+TEST_F(Sweep, NumbersAreThoseOfThePicturesSize) {
+    const std::vector<std::string> sweep{"sweep", "--vary",  "projection.fovy=40:60:2", "--csv",
+                                         "-",     "--value", "P[0][0]/P[1][1]"};
+    const auto ratios = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), sweep.begin(), sweep.end());
+        return lines_of(expect(0, more).out);
+    };
+    EXPECT_EQ(ratios({"--size", "400x400"})[1], "40,1");
+    EXPECT_EQ(ratios({})[1], "40,0.5625");
+    const std::string beyond = expect(2, {"sweep", "--vary", "projection.fovy=40:60:2", "--csv", "-", "--size", "64x36",
+                                          "--value", "pixel(64,0).color"})
+                                   .err;
+    EXPECT_TRUE(has(beyond, "whole numbers below 64 and 36")) << beyond;
+}
+
+/// Interpolated values carry no rounding errors, and whole numbers have one form.
+TEST_F(Sweep, ValuesAreWrittenAsTyped) {
+    const auto column = [&](const std::string& vary) {
+        std::vector<std::string> lines = lines_of(expect(0, {"sweep", "--vary", vary, "--csv", "-"}).out);
+        lines.erase(lines.begin());
+        return lines;
+    };
+    EXPECT_EQ(column("camera.yaw=0.1:12.7:7"),
+              (std::vector<std::string>{"0.1", "2.2", "4.3", "6.4", "8.5", "10.6", "12.7"}));
+    EXPECT_EQ(column("coplanar.gap=0:0.01:3"), (std::vector<std::string>{"0", "0.005", "0.01"}));
+    const std::vector<std::string> lines =
+        lines_of(expect(0, {"sweep", "--vary", "light.position=[0,1,0,1]:[1,1,1,1]:3", "--csv", "-", "--value",
+                            "light.position"})
+                     .out);
+    EXPECT_EQ(lines[2], R"("[0.5,1,0.5,1]","[0.5,1,0.5,1]")");
+}
+
 TEST_F(Sweep, FollowsKeyframesEasedAndBack) {
     const auto column = [&](const std::vector<std::string>& more) {
         std::vector<std::string> words{"sweep", "--csv", "-"};
@@ -169,6 +202,12 @@ TEST_F(Sweep, MistakesAreReportedBeforeDrawing) {
                 {.limits = {{RLIMIT_AS, viewing::is_sanitized ? RLIM_INFINITY : 120UL << 20U}}});
     refused(small({"--vary", "camera.yaw=0:1:2", "--vary", "camera.pitch=0:1:3", "--together", "-o", "a.png"}),
             {"2 and 3", "equal"});
+    for (const char* const part : {"light.position[0]", "light.position"})
+        refused(small({"--vary", "light.position[0]=-3:3:2", "--vary", std::string(part) + "=1:2:2", "-o", "a.png"}),
+                {"light.position[0]", "overlap"});
+    refused(small({"--vary", "depth.format=d16:d24:d32f:2", "-o", "a.png"}), {"number of values, 3"});
+    refused(small({"--vary", "camera.yaw=0:1:2", "-o", "-"}), {"-o", "standard output"});
+    refused(small({"--vary", "scene=torus-and-boxes:lecture:2", "-o", "a.png"}), {"--vary scene", "lecture"});
     refused({"sweep", "--size", "63x36", "--vary", "camera.yaw=0:1:2", "-o", "a.mp4"}, {"even"});
     // The program counts pictures before it lists them: a list of a hundred million would need gigabytes.
     refused(small({"--vary", "camera.yaw=0:1:10000", "--vary", "camera.pitch=0:1:10000", "-o", "a"}),

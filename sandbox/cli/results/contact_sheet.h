@@ -11,7 +11,7 @@ namespace viewing {
 
 struct SheetPicture {
     Image image;                        ///< all have the same size
-    std::vector<std::string> captions;  ///< from long to short: the first one that fits is drawn
+    std::vector<std::string> captions;  ///< from long to short, as many for each picture
 };
 
 /// Returns the sheet. `columns` must be at least 1; the last row may have gaps. `pictures` must not be empty.

@@ -17,11 +17,19 @@ constexpr int digits = 6;
 std::string text_of(double value) {
     return figures(value, digits);
 }
-std::string text_of(const glm::dvec3& v) {
-    return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")";
+/// Leaves out what only rounding makes different from 0, beside numbers of this size.
+std::string text_of(double value, double size) {
+    constexpr double rounding = 1e-12;
+    return text_of(std::abs(value) < rounding * size ? 0.0 : value);
 }
-std::string text_of(const glm::dvec4& v) {
-    return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ", " + text_of(v.w) + ")";
+template <int count>
+std::string text_of(const glm::vec<count, double>& v) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += (i == 0 ? "(" : ", ") + text_of(v[i], glm::length(v));
+    return text + ")";
+}
+std::string degrees_text(double angle_deg) {
+    return text_of(angle_deg, 180.0) + "°";
 }
 
 std::string depth_text(const FoundLens& lens) {
@@ -32,14 +40,20 @@ std::string depth_text(const FoundLens& lens) {
     return text + (is_reversed ? ", reversed" : "");
 }
 
+std::string edges_text(const FoundLens& lens) {
+    const Edges& edges = lens.edges;
+    return "left " + text_of(edges.left) + ", right " + text_of(edges.right) + ", bottom " + text_of(edges.bottom) +
+           ", top " + text_of(edges.top);
+}
+
 /// Describes the matrix's parts in sentences.
 std::vector<std::string> contents(const ExplainedMatrix& found) {
     std::vector<std::string> lines;
     if (found.camera) {
         lines.push_back("eye " + text_of(found.camera->eye) + ", looking along " +
                         text_of(found.camera->center - found.camera->eye) + ", up " + text_of(found.camera->up));
-        lines.push_back("yaw " + text_of(found.angles.yaw_deg) + "°, pitch " + text_of(found.angles.pitch_deg) +
-                        "°, roll " + text_of(found.angles.roll_deg) + "°");
+        lines.push_back("yaw " + degrees_text(found.angles.yaw_deg) + ", pitch " +
+                        degrees_text(found.angles.pitch_deg) + ", roll " + degrees_text(found.angles.roll_deg));
     }
     if (found.fault == MatrixFault::scaled) lines.push_back("lengths of the axes " + text_of(found.scale));
     if (found.lens) {
@@ -47,7 +61,7 @@ std::vector<std::string> contents(const ExplainedMatrix& found) {
         lines.push_back((lens.orthographic ? "orthographic, height " + text_of(lens.height)
                                            : "perspective, fovy " + text_of(lens.fovy_deg) + "°") +
                         ", aspect " + text_of(lens.aspect) + ", " + depth_text(lens) +
-                        (lens.off_center ? ", off-center" : ""));
+                        (lens.off_center ? ", off-center: " + edges_text(lens) : ""));
     }
     if (found.found_plane) lines.push_back("plane " + text_of(*found.found_plane));
     if (found.found_light)

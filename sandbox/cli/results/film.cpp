@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "platform/file.h"
 #include "platform/unfinished.h"
@@ -102,8 +103,12 @@ Status Film::add(const Image& picture) {
 }
 
 Error Film::failure() {
-    const std::string end = process_.wait(), complaint = process_.take_complaints();
-    return {"ffmpeg ended with " + end + (complaint.empty() ? "" : ": " + one_line(complaint))};
+    const std::string end = process_.wait();
+    std::string complaint;
+    std::istringstream lines(process_.take_complaints());
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty()) complaint += (complaint.empty() ? ": " : "; ") + one_line(line);
+    return {"ffmpeg ended with " + end + complaint};
 }
 
 Result<std::string> Film::finish() {

@@ -1,6 +1,7 @@
 #include "cli/results/sweep_result.h"
 
 #include <algorithm>
+#include <set>
 
 #include "cli/exit_status.h"
 #include "cli/results/contact_sheet.h"
@@ -10,6 +11,7 @@
 #include "platform/file.h"
 #include "platform/whole_folder.h"
 #include "text/numbers.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -24,14 +26,27 @@ std::string file_of_picture(std::size_t index, std::size_t count) {
     return std::string(digits - number.size(), '0') + number + ".png";
 }
 
-/// Returns three captions from long to short, such as "light.position[0] = −2.9", "position[0] = −2.9" and "−2.9".
+/// Returns the value with four digits for each of its numbers.
+std::string shortened(const std::string& value) {
+    if (const std::optional<double> number = parse_double(value)) return figures(*number, 4);
+    if (!value.starts_with('[') || !value.ends_with(']')) return value;
+    std::string text;
+    for (const std::string& part : split_outside_brackets(value.substr(1, value.size() - 2), ','))
+        text += (text.empty() ? "" : ", ") + shortened(part);
+    return "[" + text + "]";
+}
+
+/// Returns three captions from long to short, such as "light.position[0] = −2.9", "position[0] = −2.9" and "−2.9". The
+/// second one keeps the whole paths if it could not tell two fields apart without them.
 std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
+    const auto path_of = [](const std::string& setting) { return setting.substr(0, setting.find('=')); };
+    const auto name_of = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+    std::set<std::string> names;
+    for (const std::string& setting : settings) names.insert(name_of(path_of(setting)));
     std::vector<std::string> captions(3);
     for (const std::string& setting : settings) {
-        const std::size_t equals = setting.find('=');
-        const std::string path = setting.substr(0, equals), name = path.substr(path.rfind('.') + 1);
-        std::string value = setting.substr(equals + 1);
-        if (const std::optional<double> number = parse_double(value)) value = figures(*number, 4);
+        const std::string path = path_of(setting), value = shortened(setting.substr(path.size() + 1));
+        const std::string name = names.size() < settings.size() ? path : name_of(path);
         const std::string words[] = {path + " = " + value, name + " = " + value, value};
         for (std::size_t i = 0; i < captions.size(); ++i) captions[i] += (captions[i].empty() ? "" : "  ") + words[i];
     }

@@ -15,13 +15,22 @@ Json json_of(const std::string& text) {
     return Json::parse(text, nullptr, false, false).is_discarded() ? Json() : Json::parse(text);
 }
 
+/// Drops the rounding errors of an interpolation: 2.2, not 2.1999999999999997.
+double rounded(double value) {
+    constexpr double digits = 14.0;
+    const double scale = std::pow(10.0, digits - 1.0 - std::floor(std::log10(std::abs(value))));
+    const double found = std::round(value * scale) / scale;
+    return std::isfinite(found) ? found : value;  // 0, or close to it
+}
+
 /// Interpolates between two numbers or two lists of numbers; returns null for any other values.
 Json between(const Json& from, const Json& to, double share) {
     if (from.is_number() && to.is_number()) {
         const auto a = from.get<double>(), b = to.get<double>();
-        const double value = share == 1.0 ? b : a + (b - a) * share;
-        const bool counts = from.is_number_integer() && to.is_number_integer() && value == std::floor(value);
-        return counts ? Json(static_cast<std::int64_t>(value)) : Json(value);
+        const double value = share == 0.0 ? a : share == 1.0 ? b : rounded(a + (b - a) * share);
+        constexpr double exact_below = 1e15;
+        const bool is_whole = value == std::floor(value) && std::abs(value) < exact_below;
+        return is_whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
     }
     if (!from.is_array() || !to.is_array() || from.size() != to.size()) return nullptr;
     Json list = Json::array();
@@ -48,6 +57,9 @@ Result<Variation> Variation::parse(const std::string& text) {
     if (error != std::errc() || end != count.data() + count.size() || variation.count < 1 ||
         variation.count > most_frames)
         return Error{form + " with COUNT a whole number from 1 to " + std::to_string(most_frames)};
+    if (variation.count > 1 && static_cast<std::size_t>(variation.count) < variation.values.size())
+        return Error{form + " with a COUNT that is not below the number of values, " +
+                     std::to_string(variation.values.size()) + ": otherwise, some would be skipped"};
     return variation;
 }
 

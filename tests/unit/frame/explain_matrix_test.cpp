@@ -14,6 +14,7 @@ namespace viewing {
 namespace {
 
 using glm::dmat4;
+using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 
@@ -155,7 +156,6 @@ const MatrixCase spoiled_matrices[] = {
     {"P V", 0, F::product, [](const Sample& x, Random&) { return x.p * x.v; }},
     {"−P", 'P', F::negated, [](const Sample& x, Random&) { return -x.p; }},
     {"−V", 'V', F::negated, [](const Sample& x, Random&) { return -x.v; }, 'V'},
-    {"−3 S", 'S', F::negated, [](const Sample& x, Random&) { return -3.0 * x.s; }},
     {"−R", 'R', F::negated, [](const Sample& x, Random&) { return -x.r; }},
     {"S transposed", 'S', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.s); }},
     {"S of another light", 'S', F::other_light,
@@ -166,6 +166,14 @@ const MatrixCase spoiled_matrices[] = {
      [](const Sample& x, Random& random) {
          return 2.0 * Sample::shadow({random.direction(), 4.0}, x.light);
      }},
+    {"V R", 0, F::mirrored_view, [](const Sample& x, Random&) { return x.v * x.r; }},
+    {"P with (f − n)/(f + n)", 'P', F::negative_depth,
+     [](const Sample& x, Random&) {
+         dmat4 p = x.p;
+         p[2][2] = 1.0 / p[2][2];
+         return p;
+     }},
+    {"R without the factor 2", 'R', F::lost_factor, [](const Sample& x, Random&) { return 0.5 * (dmat4(1.0) + x.r); }},
     {"R transposed", 'R', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.r); }},
     {"R of another plane", 'R', F::other_plane,
      [](const Sample&, Random& random) {
@@ -234,6 +242,77 @@ TEST(ExplainMatrix, NeverCallsARightMatrixWrong) {
         EXPECT_EQ(explain_matrix(Sample::mirror({0, 1, 0, 0}), named, params, 1.5).fault, MatrixFault::none);
         EXPECT_EQ(explain_matrix(Sample::shadow({0, 1, 0, 0}, params.lights[0].position), named, params, 1.5).fault,
                   MatrixFault::none);
+    }
+}
+
+/// The program uploads the S that gives casters a positive w. S as in the lecture and the uploaded one are right.
+TEST(ExplainMatrix, BothSignsOfSAreRightIfTheUploadedOneIsNegated) {
+    Random random(seed);
+    int negative = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Sample sample(random);
+        // The last row of S is (−Lw n, Π·L − Lw d): for a caster p with Lw (n·p + d) < |Π·L|, w has the sign of Π·L.
+        const bool is_negative = glm::dot(sample.plane, sample.light) < 0.0;
+        for (const double factor : {1.0, 3.0}) EXPECT_EQ(sample.explained(factor * sample.s).fault, F::none);
+        EXPECT_EQ(sample.explained(-3.0 * sample.s).fault, is_negative ? F::none : F::negated);
+        negative += is_negative;
+    }
+    EXPECT_GT(negative, 20);
+    EXPECT_LT(negative, 180);
+}
+
+/// Negated rows of P, V and C, and what the fix does to them.
+TEST(ExplainMatrix, ANegatedRowIsNamedAndItsFixIsRight) {
+    Random random(seed);
+    for (int i = 0; i < 100; ++i) {
+        const Sample sample(random);
+        for (int axis = 0; axis < 3; ++axis) {
+            dvec4 signs(1.0);
+            signs[axis] = -1.0;
+            const dmat4 flip = diagonal(signs.x, signs.y, signs.z);
+            for (const bool is_view : {true, false}) {
+                const dmat4 wrong = is_view ? flip * sample.v : sample.c * flip;
+                const ExplainedMatrix found = sample.explained(wrong, is_view ? 'V' : 'C');
+                EXPECT_EQ(found.fault, F::left_handed) << axis;
+                EXPECT_EQ(found.negated_axis, axis);
+                const std::optional<dmat4> fixed = fixed_matrix(wrong, found);
+                ASSERT_TRUE(fixed);
+                EXPECT_EQ(sample.explained(*fixed, is_view ? 'V' : 'C').fault, F::none) << axis;
+            }
+        }
+        for (const dvec2& signs : {dvec2(-1, 1), dvec2(1, -1), dvec2(-1, -1)}) {
+            const dmat4 wrong = diagonal(signs.x, signs.y, 1.0) * sample.p;
+            const ExplainedMatrix found = sample.explained(wrong);
+            EXPECT_EQ(found.letter, 'P');
+            EXPECT_EQ(found.fault, F::mirrored);
+            EXPECT_EQ(found.lens->mirrored_x, signs.x < 0.0);
+            EXPECT_EQ(found.lens->mirrored_y, signs.y < 0.0);
+            EXPECT_NEAR(found.lens->fovy_deg, sample.fovy, 1e-6);
+            const std::optional<dmat4> fixed = fixed_matrix(wrong, found);
+            ASSERT_TRUE(fixed);
+            EXPECT_EQ(sample.explained(*fixed).fault, F::none);
+        }
+    }
+}
+
+TEST(ExplainMatrix, AnOrthographicPIsNoCameraAndItsProductWithVIsAProduct) {
+    Random random(seed);
+    for (int i = 0; i < 100; ++i) {
+        Sample sample(random);
+        const double height = random.number(2, 9), width = sample.aspect * height;
+        const dmat4 p =
+            glm::orthoRH_NO(-0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height, sample.near, sample.far);
+        const ExplainedMatrix found = sample.explained(p);  // the state is perspective
+        EXPECT_EQ(found.letter, 'P');
+        EXPECT_EQ(found.fault, F::different);
+        EXPECT_TRUE(found.lens && found.lens->orthographic);
+        sample.params.projection.type = ProjectionType::orthographic;
+        sample.params.projection.height = height;
+        EXPECT_EQ(sample.explained(p).fault, F::none);
+        EXPECT_EQ(sample.explained(p * sample.v).fault, F::product);
+        dmat4 left_handed = p;
+        left_handed[2][2] = -left_handed[2][2];
+        EXPECT_EQ(sample.explained(left_handed, 'P').letter, 'P');
     }
 }
 

@@ -47,7 +47,8 @@ TEST(LinkedStep, ReportsAMissingStep) {
     EXPECT_EQ(link_trouble("#lesson=depth-fighting&step=" + std::to_string(count + 1)),
               "link: step " + std::to_string(count + 1) + ": depth-fighting has steps 1 to " + std::to_string(count));
     EXPECT_EQ(link_trouble("#lesson=depth-fihting"),
-              "link: depth-fihting: neither a file nor a lesson (viewing-sandbox lesson --list lists them); did you "
+              "link: depth-fihting: neither a file nor a lesson or lecture (viewing-sandbox lesson --list and lecture "
+              "--list list them); did you "
               "mean depth-fighting?");
     for (const char* other : {"depth-fighting", "#preset=room", "#lesson=../a", "#lesson=a.json", "#1abc", ""})
         EXPECT_EQ(link_trouble(other), "none") << other;

@@ -21,10 +21,13 @@ TEST(LessonSchemas, OfALectureAcceptsWhatTheReaderAccepts) {
         return read ? "" : read.error();
     };
     // Only the reader checks whether a lesson, a step of it, or a preset exists.
-    const std::vector<std::string> only_reader{
-        "neither a file nor a lesson",      "no such preset",        "has no step",
-        "must be a whole number from 1 to", "must be a lesson's id", "is a lecture",
-        "must be the name of a preset"};
+    const std::vector<std::string> only_reader{"neither a file nor a lesson or lecture",
+                                               "no such preset",
+                                               "has no step",
+                                               "must be a whole number from 1 to",
+                                               "must be a lesson's id",
+                                               "is a lecture",
+                                               "must be the name of a preset"};
     expect_agreement(lecture_schema(), {small}, 100, 71, complaint, only_reader);
     expect_agreement(lecture_schema(), files_of("lectures"), 8, 74, complaint, only_reader);
 }

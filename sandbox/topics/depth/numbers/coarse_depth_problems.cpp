@@ -94,18 +94,24 @@ bool is_seen(const FlatPair& pair, const Derived& derived, const Scene& scene) {
     return may_reach(scene.objects[pair.first], forms) && may_reach(scene.objects[pair.second], forms);
 }
 
+/// The size of the picture for which problems predict.
+glm::ivec2 predicted_size(const Derived& derived) {
+    constexpr int height_px = 720;
+    return {std::lround(height_px * derived.view_aspect), height_px};
+}
+
 /// Returns the pairs in view that fight. Decals that are moved by an offset count as fighting only if the offset is
 /// certainly too small.
 std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& derived, const Scene& scene,
                                          std::span<const FlatPair> pairs) {
-    constexpr int height_px = 720;
-    const glm::ivec2 size_px(std::lround(height_px * derived.view_aspect), height_px);
+    const glm::ivec2 size_px = predicted_size(derived);
     std::vector<FightingPair> found;
     for (const FlatPair& pair : pairs) {
         const bool is_moved = pair.has_one_decal() && params.depth.offset != DepthOffset{};
         if (pair.has_one_decal() && params.depth.decals != DecalMethod::offset) continue;
         if (!is_seen(pair, derived, scene)) continue;
         const PairPrediction predicted = predict_pair(pair, params, derived, size_px);
+        if (derived.has_distances && !predicted.is_seen) continue;
         const std::optional<ShareInterval>& share = predicted.wrong_share;
         const double needed = predicted.onset.gap() * predicted.slant;
         const bool may_fight = !share || share->most > 0.0;
@@ -113,6 +119,24 @@ std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& de
             found.push_back({&pair, needed, predicted.distance});
     }
     return found;
+}
+
+/// Returns the setting of the smallest polygon offset with which certainly no decal in view fights; "" if a small one
+/// is not enough.
+std::string sufficient_offset(const Params& params, const Derived& derived, const Scene& scene,
+                              std::span<const FlatPair> pairs) {
+    constexpr double most_units = 16.0;
+    Params moved = params;
+    for (double units = 1.0; units <= most_units; units *= 2.0) {
+        moved.depth.offset = {-1.0, -units};
+        const bool is_enough = std::all_of(pairs.begin(), pairs.end(), [&](const FlatPair& pair) {
+            if (!pair.has_one_decal() || !is_seen(pair, derived, scene)) return true;
+            const PairPrediction predicted = predict_pair(pair, moved, derived, predicted_size(derived));
+            return !predicted.is_seen || (predicted.wrong_share && predicted.wrong_share->most == 0.0);
+        });
+        if (is_enough) return "depth.offset={\"factor\": -1, \"units\": " + plain_number(-units) + "}";
+    }
+    return "";
 }
 
 /// Reports a polygon offset that moves coplanar decals by less than one code. Needs the size of a unit, which the
@@ -158,7 +182,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
     // Where a code is a large part of the distance, a few codes more or less make no difference.
     const bool is_hopeless = worst.needed > 0.05 * worst.distance;
     const std::string fix = is_hopeless      ? ""
-                            : is_decal       ? "depth.offset={\"factor\": -1, \"units\": -1}"
+                            : is_decal       ? sufficient_offset(params, derived, scene, pairs)
                             : is_near_enough ? near_setting(params.projection, finer.projection.near)
                                              : "";
     tell.broken(worst.pair->gap() == 0.0,
@@ -208,10 +232,14 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
         }
         glm::dvec4 equation = params.planes[index].equation;
         equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
-        const std::string fix = index > 0
-                                    ? ""
-                                    : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
-                                          "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]";
+        // A plane that has to move far would change the scene; then only a finer buffer helps.
+        const bool stays = apart <= 0.05 * plane.patch.extent;
+        const std::string fix = index > 0 ? ""
+                                : stays
+                                    ? "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
+                                          "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]"
+                                : stores_fewer_bits(params.depth.format) ? "depth.format"
+                                                                         : "";
         const Message plane_name = planes_name(std::array{index}, planes.size());
         for (const Message& object : lying)
             tell.broken(true,

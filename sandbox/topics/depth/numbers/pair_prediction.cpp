@@ -238,6 +238,7 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     made.slant = std::abs(glm::dot(normal_view, sight));
     const std::vector<Polygon> seen = seen_part(pair, derived, coding.lens);
     if (seen.empty()) return made;
+    made.is_seen = true;
     set_onset_where_worst(made, pair, seen, coding, derived, span);
     const auto share = wrong_share_of(pair, params, derived, seen_codes(pair, seen, coding, derived, span, size_px));
     if (share && share->most - share->least < says_nothing) made.wrong_share = share;

@@ -25,6 +25,7 @@ ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, dou
 /// The prediction for the camera's position.
 struct PairPrediction {
     double distance = 0.0;  ///< eye distance of the overlap's center
+    bool is_seen = false;   ///< part of the overlap is in the view; unknown if the projection has no distances
     double step = 0.0;      ///< depth_step() there
     FightingOnset onset;    ///< in eye distance, at the visible point that needs the widest gap
     double slant = 1.0;     ///< at that point: gap along the normal ÷ gap in eye distance; 0: seen edge-on

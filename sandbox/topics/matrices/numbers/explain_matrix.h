@@ -18,9 +18,11 @@ enum class MatrixFault {
     transposed,          ///< rows and columns swapped
     translation_in_row,  ///< V, C: the translation is in the last row instead of the last column
     scaled,              ///< V, C: the axes do not have length 1
-    left_handed,         ///< V, C: det −1; P: third column negated, so clip w is z instead of −z
+    left_handed,         ///< V, C: det −1; P: third column negated, so perspective clip w is z instead of −z
+    mirrored,            ///< P: one of the first two diagonal entries is negative, or both are
     lost_sign,           ///< P: the last row is (0, 0, 1, 0), so clip w is z; S: its last row begins with +n, not −n
     depth_signs,         ///< P: one entry of the third row has the wrong sign, so near or far is negative
+    negative_depth,      ///< P: near or far is negative although the signs of the third row are right
     negated,             ///< all signs are wrong: w is negative
     looks_back,          ///< V: x and z negated, as with lookAtLH
     eye_not_negated,     ///< V: translated by the eye instead of by −eye
@@ -33,9 +35,11 @@ enum class MatrixFault {
     other_light,         ///< S of the state's plane and another light
     other_plane,         ///< S, R of another plane
     not_unit_normal,     ///< R: filled from a normal that is not a unit vector
+    lost_factor,         ///< R: I − n nᵀ without the factor 2, which projects onto the plane
     plus_2ab,            ///< R: the slide's +2ab in row 2, column 1
     different,           ///< a correct V, C or P of another camera, or S of another plane and light
     product,             ///< the state's P V, which is none of the five
+    mirrored_view,       ///< the state's V R
     unknown,             ///< none of the lecture's matrices
 };
 
@@ -44,10 +48,11 @@ struct FoundLens {
     bool orthographic = false;
     double fovy_deg = 0.0, height = 0.0;  ///< one of them: fovy if perspective, height if orthographic
     double aspect = 1.0;
-    double near = 0.0, far = 0.0;  ///< far is +∞ if infinite; near > far if reversed
-    bool zero_to_one = false;      ///< read for a clip range 0 … 1 instead of −1 … 1
-    bool off_center = false;       ///< the frustum is not symmetric
-    Edges edges;                   ///< of the picture; perspective: at the near plane
+    double near = 0.0, far = 0.0;                 ///< far is +∞ if infinite; near > far if reversed
+    bool zero_to_one = false;                     ///< read for a clip range 0 … 1 instead of −1 … 1
+    bool off_center = false;                      ///< the frustum is not symmetric
+    bool mirrored_x = false, mirrored_y = false;  ///< P's first or second row was negated to read the other values
+    Edges edges;                                  ///< of the picture; perspective: at the near plane
 };
 
 /// An identified matrix. Optional parts are set if the matrix, once its fault is fixed, has them.
@@ -62,6 +67,8 @@ struct ExplainedMatrix {
     std::optional<FoundLens> lens;     ///< P
     std::optional<glm::dvec4> found_plane, found_light;  ///< S, R: unit plane; light with w = 1 or 0
     glm::dvec3 scale{1.0};                               ///< V, C: lengths of the axes
+    int negated_axis = 2;          ///< left-handed V, C: the axis to negate; 2 (back), unless the state's V tells it
+    bool has_other_range = false;  ///< a reversed P is also made for another clip range than the state's
 };
 
 /// Reads a P whose clip w is −z (perspective) or 1 (orthographic); none if `m` has other entries. `zero_to_one`: P is

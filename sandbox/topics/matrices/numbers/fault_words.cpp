@@ -1,5 +1,7 @@
 #include "topics/matrices/numbers/fault_words.h"
 
+#include <array>
+
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -24,13 +26,30 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::scaled:
             return {"scaled", marked("its axes do not have length 1"),
                     marked("leave the scale out of the camera, or normalize right, up and back")};
-        case MatrixFault::left_handed:
+        case MatrixFault::left_handed: {
+            constexpr std::array fixes = {
+                marked("negate the first row of V (the first column of C): it is the direction to the right"),
+                marked("negate the second row of V (the second column of C): it is the direction up"),
+                marked("negate the third row of V (the third column of C): OpenGL looks along −z")};
+            if (!is_camera && found.lens && found.lens->orthographic)
+                return {"left_handed", marked("it is left-handed: it shows what is behind the eye"),
+                        marked("make the third diagonal entry −2/(f − n), which is negative: OpenGL looks along −z")};
             return is_camera
                        ? FaultWords{"left_handed", marked("it is left-handed: det = −1, which mirrors the picture"),
-                                    marked("negate the third row of V (the third column of C): OpenGL looks along −z")}
+                                    fixes[static_cast<std::size_t>(found.negated_axis)]}
                        : FaultWords{"left_handed",
                                     marked("it is left-handed: w = z, so it shows what is behind the eye"),
                                     marked("negate the third column: in OpenGL, w = −z")};
+        }
+        case MatrixFault::mirrored:
+            if (!found.lens->mirrored_y)
+                return {"mirrored", marked("its first row is negated: left and right of the picture are swapped"),
+                        marked("negate the first row: its diagonal entry is positive")};
+            if (!found.lens->mirrored_x)
+                return {"mirrored", marked("its second row is negated: the picture is upside down"),
+                        marked("negate the second row: in OpenGL, y points up")};
+            return {"mirrored", marked("its first two rows are negated: the picture is turned by 180°"),
+                    marked("negate the first two rows: their diagonal entries are positive")};
         case MatrixFault::lost_sign:
             if (found.letter == 'S')
                 return {"lost_sign",
@@ -50,6 +69,11 @@ FaultWords fault_words(const ExplainedMatrix& found) {
             return {"depth_signs",
                     marked("the two entries of its third row have different signs, so near or far is negative"),
                     marked("make −(f + n)/(f − n) and −2fn/(f − n) negative; if depth is reversed, both are positive")};
+        case MatrixFault::negative_depth:
+            return {
+                "negative_depth", marked("with its third row, near or far is negative, that is, behind the eye"),
+                marked(
+                    "the fraction (f + n)/(f − n) may be upside down; only a perspective P ends with (0, 0, −1, 0)")};
         case MatrixFault::eye_not_negated:
             return {"eye_not_negated", marked("it translates by the eye's position instead of by −eye"),
                     marked("the last column of V is −Rᵀ eye")};
@@ -63,12 +87,19 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::zero_to_one:
             return {"zero_to_one",
                     marked("it maps near … far to 0 … 1, but unless depth is reversed, the clip range is −1 … 1"),
-                    marked("use perspectiveRH_NO, or do not define GLM_FORCE_DEPTH_ZERO_TO_ONE")};
+                    found.lens && found.lens->orthographic
+                        ? marked("use orthoRH_NO, or do not define GLM_FORCE_DEPTH_ZERO_TO_ONE")
+                        : marked("use perspectiveRH_NO, or do not define GLM_FORCE_DEPTH_ZERO_TO_ONE")};
         case MatrixFault::minus_one_to_one:
             return {"minus_one_to_one", marked("it maps near … far to −1 … 1, but the state's clip range is 0 … 1"),
                     marked("use perspectiveRH_ZO with far and near swapped")};
         case MatrixFault::reversed:
-            return {"reversed", marked("near and far are swapped, unlike in the state"), marked("swap near and far")};
+            if (!found.has_other_range)
+                return {"reversed", marked("near and far are swapped, unlike in the state"),
+                        marked("swap near and far")};
+            return {"reversed", marked("near and far are swapped, and the clip range differs from the state's"),
+                    found.lens->zero_to_one ? marked("swap near and far, and map them to −1 … 1 (…RH_NO)")
+                                            : marked("swap near and far, and map them to 0 … 1 (…RH_ZO)")};
         case MatrixFault::other_light:
             return {"other_light", marked("it is the shadow of another light on the state's plane"),
                     marked("use the state's light")};
@@ -78,6 +109,9 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::not_unit_normal:
             return {"not_unit_normal", marked("its normal is not a unit vector"),
                     marked("divide (a, b, c, d) by |n| first")};
+        case MatrixFault::lost_factor:
+            return {"lost_factor", marked("the factor 2 is missing, so it projects onto the plane"),
+                    marked("R = I − 2 n nᵀ, and its last column is −2 d n")};
         case MatrixFault::plus_2ab:
             return {"plus_2ab", marked("row 2, column 1 is +2ab, as in one line of the slide"),
                     marked("it should be −2ab")};
@@ -86,6 +120,9 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::product:
             return {"product", marked("it is the product P V, clip_from_world, of the state"),
                     marked("to check P and V, give each by itself")};
+        case MatrixFault::mirrored_view:
+            return {"mirrored_view", marked("it is the product V R of the state, with which the mirror image is drawn"),
+                    marked("to check V and R, give each by itself")};
         case MatrixFault::unknown:
             break;
     }

@@ -106,8 +106,10 @@ bool explain_mirror(ExplainedMatrix& found, const dmat4& m, double tolerance) {
     if (squared <= 0.0) return false;
     found.letter = 'R';
     found.found_plane = outer->row / size;
-    found.fault =
-        is_near(squared, 1.0, 8.0 * tolerance + 1e-5) ? MatrixFault::other_plane : MatrixFault::not_unit_normal;
+    const double rounding = 8.0 * tolerance + 1e-5;
+    found.fault = is_near(squared, 1.0, rounding)   ? MatrixFault::other_plane
+                  : is_near(squared, 0.5, rounding) ? MatrixFault::lost_factor
+                                                    : MatrixFault::not_unit_normal;
     return true;
 }
 
@@ -177,24 +179,49 @@ bool explain_pose(ExplainedMatrix& found, const dmat4& m, char named, const Stat
     return true;
 }
 
+/// Whether an affine matrix may be a P. A V has perpendicular axes, too, but they have length 1.
+bool may_be_orthographic(const dmat4& m, char named, const StateMatrices& state, double tolerance) {
+    if (named == 'P' || state.params().projection.type == ProjectionType::orthographic) return true;
+    if (named != 0 || !(entry(m, 2, 2) < 0.0)) return false;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            if (row != column && !is_near(entry(m, row, column), 0.0, tolerance)) return false;
+    return !is_near(entry(m, 2, 2), -1.0, 1e-5 + 4.0 * tolerance);
+}
+
+/// Whether the near or the far plane of a perspective lens is behind the eye.
+bool is_behind_eye(const FoundLens& lens) {
+    return !lens.orthographic && (lens.near <= 0.0 || lens.far <= 0.0);
+}
+
 bool explain_projection(ExplainedMatrix& found, const dmat4& m, char named, const StateMatrices& state,
                         double tolerance) {
     const bool looks_along_z = has_row(m, 3, {0, 0, 1, 0}, tolerance);  // w = z instead of −z
+    if (looks_along_z && entry(m, 0, 0) < 0.0 && entry(m, 1, 1) < 0.0) {
+        if (!explain_projection(found, -m, named, state, tolerance)) return false;
+        if (found.fault == MatrixFault::different) found.fault = MatrixFault::negated;
+        return true;
+    }
     // A left-handed P has the other sign in its third row, too.
     const bool only_lost_sign = looks_along_z && entry(m, 2, 2) * entry(state.first('P').right, 2, 2) > 0.0;
     dmat4 p = only_lost_sign ? flipped({1, 1, 1, -1}) * m : looks_along_z ? m * flipped({1, 1, -1, 1}) : m;
+    const bool mirrored_x = entry(p, 0, 0) < 0.0, mirrored_y = entry(p, 1, 1) < 0.0;
+    p = flipped({mirrored_x ? -1 : 1, mirrored_y ? -1 : 1, 1, 1}) * p;
     // In a perspective P, both entries of the third row are negative or, if P reverses depth, positive.
     const bool has_depth_signs = entry(p, 3, 2) == 0.0 || entry(p, 2, 2) * entry(p, 2, 3) >= 0.0;
     if (!has_depth_signs) p = with_depth_signs(p, state.first('P').right);
     const bool zero_to_one = is_for_zero_to_one(p, state.params(), tolerance);
-    const std::optional<FoundLens> lens = read_lens(p, zero_to_one, tolerance);
-    const bool is_expected = named == 'P' || state.params().projection.type == ProjectionType::orthographic;
-    if (!lens || (lens->orthographic && !is_expected)) return false;
+    std::optional<FoundLens> lens = read_lens(p, zero_to_one, tolerance);
+    if (!lens || (lens->orthographic && !may_be_orthographic(p, named, state, tolerance))) return false;
+    lens->mirrored_x = mirrored_x;
+    lens->mirrored_y = mirrored_y;
     found.letter = 'P';
     found.lens = lens;
     found.fault = !has_depth_signs                        ? MatrixFault::depth_signs
                   : only_lost_sign                        ? MatrixFault::lost_sign
                   : looks_along_z                         ? MatrixFault::left_handed
+                  : mirrored_x || mirrored_y              ? MatrixFault::mirrored
+                  : is_behind_eye(*lens)                  ? MatrixFault::negative_depth
                   : zero_to_one && lens->near < lens->far ? MatrixFault::zero_to_one
                                                           : MatrixFault::different;
     return true;

@@ -44,6 +44,11 @@ StateMatrices::StateMatrices(const Params& params, double aspect) : params_(para
     }
 }
 
+bool StateMatrices::uploads_negated(const Known& one) const {
+    return one.letter == 'S' &&
+           shadow_sign(unit_plane(params_.planes[one.plane].equation), params_.lights[one.light].position) < 0.0;
+}
+
 dmat4 StateMatrices::projection(bool zero_to_one, bool reversed, bool degrees, bool inverse_aspect) const {
     Params other = params_;
     other.slips.degrees_as_radians = degrees;

@@ -27,6 +27,8 @@ public:
     }
     const Params& params() const { return params_; }
     bool is_reversed() const { return params_.depth.mapping == DepthMapping::reversed; }
+    /// Whether `one` is an S that gives casters a negative w, so that the program uploads −S.
+    bool uploads_negated(const Known& one) const;
     bool is_zero_to_one() const { return is_reversed() && params_.depth.reversed_zero_to_one; }
 
     /// Returns P for a clip range and a direction of depth; `degrees`, `inverse_aspect`: with that mistake.

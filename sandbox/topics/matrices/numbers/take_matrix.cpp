@@ -125,8 +125,13 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
             return found.letter == 'C' ? pose : view_from_world(pose);
         }
         case MatrixFault::left_handed:
-            // The camera looks along +z: negate the third row of V, or the third column of C or P.
-            return found.letter == 'V' ? negated(pasted, 2) : glm::transpose(negated(glm::transpose(pasted), 2));
+            // An axis is negated: a row of V, a column of C, or the third column of P.
+            return found.letter == 'V' ? negated(pasted, found.negated_axis)
+                                       : glm::transpose(negated(glm::transpose(pasted), found.negated_axis));
+        case MatrixFault::mirrored: {
+            const dmat4 upright = found.lens->mirrored_x ? negated(pasted, 0) : pasted;
+            return found.lens->mirrored_y ? negated(upright, 1) : upright;
+        }
         case MatrixFault::lost_sign:
             return negated(pasted, 3);
         case MatrixFault::looks_back:

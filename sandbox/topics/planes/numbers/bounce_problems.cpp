@@ -79,13 +79,13 @@ void find_bounce_problems(std::vector<Problem>& problems, const Params& params, 
                              "depth"_a = depth, "bounces"_a = params.reflection.bounces));
     const Message unreflected = depth == 1 ? message("a mirror seen in a mirror")
                                            : message("the mirror after {depth} bounces", "depth"_a = depth);
-    if (is_endless)
-        return tell.broken(
-            true,
+    if (is_endless) {
+        const Sentence endless =
             sentence("reflection.endless",
                      "mirrors facing each other reflect endlessly: {unreflected} is drawn without its image",
-                     "unreflected"_a = unreflected),
-            depth == 1 ? "reflection.bounces=8" : "");
+                     "unreflected"_a = unreflected);
+        return depth == 1 ? tell.broken(true, endless, "reflection.bounces=8") : tell(true, endless);
+    }
     tell(true,
          most < most_followed
              ? sentence("reflection.in_a_row",

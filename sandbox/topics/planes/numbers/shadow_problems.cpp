@@ -313,7 +313,10 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         sentence("shadow.floats",
                  "the shadow floats {height} above the plane: at a grazing angle it slides away from its caster",
                  "height"_a = figures(shadow.lift, 3)),
-        "shadow.offset");
+        // The offset that then applies may push the shadow away.
+        shadow.offset_factor < 0.0 && shadow.offset_units < 0.0
+            ? "shadow.offset"
+            : R"(shadow={"offset": "polygon_offset", "offset_factor": -1, "offset_units": -1})");
 }
 
 /// Returns whether part of a shadow in the picture may fall where the light's highlight is bright enough to see.

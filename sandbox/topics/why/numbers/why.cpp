@@ -70,6 +70,8 @@ Message sentence_of(const Why& made, const WhyQuestion& question) {
     std::vector<Message> names;
     for (const std::string& caster : made.casters) names.push_back(object_message(caster));
     const Message casters = enumerated(names);
+    if (!surface && !image && question.plan.shows == Shows::overdraw)
+        return message("No object is drawn here; only objects count.");
     if (!surface && !image)
         return names.empty()
                    ? message("Nothing is drawn here: this is the background.")

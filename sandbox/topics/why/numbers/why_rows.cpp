@@ -318,6 +318,11 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
                   "{surface} and {other} store {code} and {stored}, {count} codes apart: within GL's rounding error.",
                   "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)),
                   "stored"_a = code_text(one.compared_with, precision(question)))};
+    const std::vector<SceneObject>& objects = question.finder.scene().objects;
+    for (const int index : std::set{one.object_index, other->fragment.object_index})
+        if (index >= 0 && question.plan.decal_offset != DepthOffset{} && objects[index].description.decal)
+            said.push_back(
+                message("The polygon offset of {object} is included.", "object"_a = surface_name(question, index)));
     const glm::ivec2 beside =
         question.pixel + glm::ivec2(question.pixel.x + 1 < question.viewport.size_px.x ? 1 : -1, 0);
     const PixelChain there = pixel_chain(question.plan, question.finder, beside, question.viewport.size_px);
