@@ -115,6 +115,15 @@ std::vector<FileArgument> inputs_of(const TypedSnapshot& typed, const StateArgum
     return inputs;
 }
 
+/// Refuses a picture that labels of a readable size would mostly cover.
+void check_room_for_labels(const Options& options, const PictureRequest& picture) {
+    const glm::dvec2 least_px = glm::ceil(glm::dvec2(480.0, 270.0) * (picture.dpi / usual_dpi));
+    if (glm::all(glm::greaterThanEqual(glm::dvec2(picture.size_px), least_px))) return;
+    options.refuse("--labels: at " + shortest_number(picture.dpi) + " dpi, the picture needs at least " +
+                   std::to_string(std::lround(least_px.x)) + "x" + std::to_string(std::lround(least_px.y)) +
+                   " pixels, or its labels would cover it");
+}
+
 SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const ThresholdOptions& thresholds,
                      const StateArguments& state_arguments) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png or --compare REF.png is required");
@@ -132,6 +141,7 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     wish.picture.transparent = typed.transparent;
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
     if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
+    if (typed.labels) check_room_for_labels(options, wish.picture);
     wish.picture.samples = samples_option(options, typed.samples);
     const bool wants_lesson = typed.step || typed.revealed || typed.ends;
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())

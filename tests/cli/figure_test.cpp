@@ -89,6 +89,9 @@ TEST_F(Figure, ViewsThatCannotBeShownAreReported) {
               std::string::npos);
     EXPECT_NE(refused({"snapshot", "--view", "matrices", "--size", "100x100", "-o", "no.png"}).find("--size"),
               std::string::npos);
+    EXPECT_NE(refused({"snapshot", "--view", "camera", "--labels", "--size", "800x450", "--dpi", "300", "-o", "no.png"})
+                  .find("at least 1500x844"),
+              std::string::npos);
     EXPECT_NE(refused({"snapshot", "--view", "matrices", "--labels", "-o", "no.png"}).find("--labels"),
               std::string::npos);
     EXPECT_NE(refused({"snapshot", "--dpi", "7", "-o", "no.png"}).find("--dpi"), std::string::npos);

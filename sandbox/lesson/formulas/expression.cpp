@@ -1,6 +1,7 @@
 #include "lesson/formulas/expression.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "lesson/formulas/mathematics.h"
 #include "lesson/formulas/names.h"
 #include "lesson/tree.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -111,6 +113,18 @@ int length_of_list(lua_State* lua) {
     return 1;
 }
 
+/// Reports an index beyond the end of a list. Upvalues: the list's path and length. An element that is null is missing
+/// in Lua, too.
+int refuse_element(lua_State* lua) {
+    const std::string path = lua_tostring(lua, lua_upvalueindex(1));
+    const lua_Integer count = lua_tointeger(lua, lua_upvalueindex(2));
+    if (lua_type(lua, 2) != LUA_TNUMBER) raise(lua, path + " has numbered members: " + path + "[0]");
+    const lua_Number index = lua_tonumber(lua, 2);
+    if (index >= 0.0 && index < static_cast<lua_Number>(count) && index == std::floor(index)) return 0;
+    raise(lua,
+          path + " has " + counted(count, "element") + ", counted from 0, but no [" + shortest_number(index) + "]");
+}
+
 void push_object(lua_State* lua, const Json& object, const std::string& path) {
     lua_createtable(lua, 0, static_cast<int>(object.size()));
     std::string names;
@@ -133,9 +147,13 @@ void push_list(lua_State* lua, const Json& list, const std::string& path) {
         push_value(lua, list[i], path + "[" + std::to_string(i) + "]");
         lua_rawseti(lua, -2, static_cast<lua_Integer>(i));
     }
-    lua_createtable(lua, 0, 1);
+    lua_createtable(lua, 0, 2);
     lua_pushcfunction(lua, length_of_list);
     lua_setfield(lua, -2, "__len");
+    push_text(lua, path);
+    lua_pushinteger(lua, static_cast<lua_Integer>(list.size()));
+    lua_pushcclosure(lua, refuse_element, 2);
+    lua_setfield(lua, -2, "__index");
     lua_setmetatable(lua, -2);
 }
 

@@ -88,6 +88,8 @@ TEST(Expression, MathMatchesValuesComputedByHand) {
 
 TEST(Expression, ErrorIsOneSentence) {
     EXPECT_EQ(trouble("camera.positon"), "camera has no positon; did you mean position?");
+    EXPECT_EQ(trouble("camera.position[3]"), "camera.position has 3 elements, counted from 0, but no [3]");
+    EXPECT_EQ(trouble("camera.position.x"), "camera.position has numbered members: camera.position[0]");
     EXPECT_EQ(trouble("inverse({{1, 2}, {2, 4}})"), "the matrix has no inverse");
     EXPECT_NE(trouble("apply(V, {1, 2})").find("must have 3 entries"), std::string::npos);
     EXPECT_NE(trouble("close(V, 1)").find("number expected"), std::string::npos);

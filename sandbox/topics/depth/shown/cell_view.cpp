@@ -168,7 +168,7 @@ bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, 
 std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
     const auto index = static_cast<std::size_t>(cell);
     if (shows_whole_frame(view, data.calls))
-        return widgets::HasPlainTitles()
+        return widgets::HasPlainTitles() || widgets::CurrentContext().printed
                    ? tr("All draw calls are done.")
                    : tr("All draw calls are done. Go back a step to see the comparison that decides a pixel.");
     if (step_of({view.call, view.triangle}, data.calls) <= 0)

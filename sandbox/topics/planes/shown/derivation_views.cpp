@@ -54,6 +54,7 @@ private:
 /// the first label is above the slider.
 void light_slider(Params& params) {
     if (widgets::HasPlainTitles()) return;  // the panel has this control, with its name
+    if (widgets::CurrentContext().printed) return;
     constexpr double smallest = 1e-6;
     glm::dvec4& light = params.lights[params.chosen().light].position;
     const bool has_direction = glm::length(glm::dvec3(light)) >= smallest;
@@ -89,9 +90,11 @@ DerivationLine note_line(std::string text) {
 void tell_point(Lines& lines, const Derived& derived, const char* letter) {
     if (derived.followed) return;
     lines.push_back(note_line(
-        say("Click an object to follow one of its vertices; until then, {point} is one unit from the center of the "
-            "plane's patch, on the light's side.",
-            "point"_a = letter)));
+        widgets::CurrentContext().printed
+            ? say("{point} is one unit from the center of the plane's patch, on the light's side.", "point"_a = letter)
+            : say("Click an object to follow one of its vertices; until then, {point} is one unit from the center of "
+                  "the plane's patch, on the light's side.",
+                  "point"_a = letter)));
 }
 
 void tell_ray(Lines& lines, ShadowRay ray) {
