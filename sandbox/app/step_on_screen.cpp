@@ -22,6 +22,8 @@ LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step
     lesson.steps.push_back(step);
     LoadedState state = show_step({.lesson = std::move(lesson), .has_strip = false}, request);
     state.params.ui.language = Language::en;
+    // Smooth edges would take most of the time, and only texts about a pinned pixel are about them.
+    if (!state.params.view.pixel && !state.params.view.pin) state.params.view.samples = 0;
     const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar,
                                            {.origin = state.scene_origin, .reach = state.reach});
     if (!scene) return {};
