@@ -17,13 +17,20 @@
 namespace viewing {
 namespace {
 
-/// Returns the pixels in a file, one "X,Y" per line; skips empty lines.
-std::vector<std::string> lines_of(const std::string& file) {
+/// A pixel as typed, "X,Y", and where.
+struct TypedPixel {
+    std::string text, place;
+};
+
+/// Returns the pixels in a file, one per line; skips empty lines.
+std::vector<TypedPixel> lines_of(const std::string& file) {
     std::istringstream lines(value_or_end(file == "-" ? read_text(std::cin, "standard input") : read_text_file(file)));
-    std::vector<std::string> pixels;
+    std::vector<TypedPixel> pixels;
+    int number = 0;
     for (std::string line; std::getline(lines, line);) {
+        ++number;
         if (line.ends_with('\r')) line.pop_back();
-        if (!line.empty()) pixels.push_back(line);
+        if (!line.empty()) pixels.push_back({line, "--pixels: line " + std::to_string(number)});
     }
     return pixels;
 }
@@ -63,15 +70,17 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
     if (file == "-" && state_arguments.as_typed() == "-")
         options.refuse("--pixels and STATE cannot both be standard input");
     const bool is_list = file || pixel_texts.size() > 1;
+    std::vector<TypedPixel> typed;
+    for (const std::string& text : pixel_texts) typed.push_back({text, "--pixel"});
     if (file)
-        for (std::string& line : lines_of(*file)) pixel_texts.push_back(std::move(line));
+        for (TypedPixel& line : lines_of(*file)) typed.push_back(std::move(line));
     constexpr std::size_t most_pixels = 100'000;
-    if (pixel_texts.size() > most_pixels) options.refuse("--pixels: at most 100000 pixels in one run");
+    if (typed.size() > most_pixels) options.refuse("--pixels: at most 100000 pixels in one run");
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
     const Derived derived = derive(state.params, scene, Viewport{size_px});
     std::vector<glm::ivec2> pixels;
-    for (const std::string& text : pixel_texts) pixels.push_back(pixel_option(options, text, size_px));
+    for (const auto& [text, place] : typed) pixels.push_back(pixel_option(options, text, size_px, place));
     if (pixels.empty() && !is_list)
         pixels.push_back(pixel_option(options, pixel_of_state(state.params, derived, scene, size_px), size_px));
     refuse_beyond_budget(state.params, derived, scene, size_px);

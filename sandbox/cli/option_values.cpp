@@ -48,13 +48,14 @@ glm::ivec2 size_option(const Options& options, const std::optional<std::string>&
     return *size;
 }
 
-glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px) {
+glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px,
+                        const std::string& place) {
     const std::string range = "X from 0 to " + std::to_string(size_px.x - 1) + " and Y from 0 to " +
                               std::to_string(size_px.y - 1) + ", counted from the top left";
     if (!text) options.refuse("--pixel is missing: X,Y with " + range);
     const std::optional<glm::ivec2> pixel = parse_pair(*text, ',');
     if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= size_px.x || pixel->y >= size_px.y)
-        options.refuse("--pixel: must be X,Y with " + range + got(*text));
+        options.refuse(place + ": must be X,Y with " + range + got(*text));
     return *pixel;
 }
 

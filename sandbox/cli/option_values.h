@@ -19,8 +19,9 @@ inline constexpr glm::ivec2 default_size_px{1280, 720};
 glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text,
                        int most_pixels = most_drawn_pixels);
 
-/// Parses "X,Y", which must be inside a picture of size `size_px`.
-glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px);
+/// Parses "X,Y", which must be inside a picture of size `size_px`. `place` names the source in messages.
+glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px,
+                        const std::string& place = "--pixel");
 
 /// Parse a whole number, or any finite number, from `min` to `max` inclusive.
 int whole_option(const Options& options, const char* name, const std::string& text, int min, int max);

@@ -79,7 +79,7 @@ void declare(Options& options, TypedSweep& typed) {
                   "Adds a column to the table, an expression as in lessons (viewing-sandbox lesson --names), for "
                   "pictures of --size: S[0][3], facts.plane_dot_light, fighting().wrong_fraction");
     options.group("Picture");
-    options.text("--view", "VIEW", typed.view, "camera (default), window, depth, stencil, observer");
+    options.text("--view", "VIEW", typed.view, "A view as for snapshot; default camera");
     options.text("--size", "WxH", typed.size, size_help);
     options.text("--samples", "0|4", typed.samples, samples_help);
     add_device_option(options, typed.device);
@@ -94,7 +94,7 @@ void declare(Options& options, TypedSweep& typed) {
 /// Refuses the name of a new folder that looks like a file's.
 Kind kind_of(const Options& options, const std::string& output, std::string& ending) {
     if (output == "-") options.refuse("-o: a sweep cannot go to standard output; --csv - writes its table there");
-    ending = fs::path(output).extension().string();
+    ending = in_lower_case(fs::path(output).extension().string());
     if (std::find(film_endings.begin(), film_endings.end(), ending) != film_endings.end()) return Kind::film;
     if (ending == ".png") return Kind::sheet;
     std::error_code error;

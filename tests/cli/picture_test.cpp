@@ -412,7 +412,7 @@ TEST_F(Inspect, TakesSeveralPixelsInOneRun) {
     EXPECT_EQ(inspected({"--pixels", "none.txt"}), Json::array());
     EXPECT_EQ(expect(0, {"inspect", "--size", "64x48", "--pixels", "-"}, {.input = "3,4\n"}).json(), Json::array({a}));
     write("bad.txt", "3,4\n64,4\n");
-    refused({"inspect", "--size", "64x48", "--pixels", "bad.txt"}, {"--pixel", "64,4", "0 to 63"});
+    refused({"inspect", "--size", "64x48", "--pixels", "bad.txt"}, {"--pixels: line 2", "64,4", "0 to 63"});
     refused({"inspect", "--pixels", "missing.txt"}, {"missing.txt: no such file"});
     refused({"inspect", "-", "--pixels", "-"}, {"standard input"});
 }
