@@ -88,13 +88,22 @@ bool is_png_name(const std::string& name) {
     return in_lower_case(std::filesystem::path(name).extension().string()) == ".png";
 }
 
-void check_picture_name(const Options& options, const char* name, const std::string& target, const char* endings) {
+namespace {
+
+/// Refuses the name of a file, but not "-" and no device or pipe, because it has none of the `endings`.
+void refuse_file_name(const Options& options, const char* name, const std::string& target, const char* endings) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status there = fs::status(target, error);
     const bool is_named = !fs::exists(there) || fs::is_regular_file(there);
-    if (target != "-" && !target.empty() && is_named && !is_png_name(target))
+    if (target != "-" && !target.empty() && is_named)
         options.refuse(std::string(name) + ": must end in " + endings + ", or be - for standard output" + got(target));
+}
+
+}  // namespace
+
+void check_picture_name(const Options& options, const char* name, const std::string& target, const char* endings) {
+    if (!is_png_name(target)) refuse_file_name(options, name, target, endings);
 }
 
 void check_handout(const Options& options, const std::optional<std::string>& handout, bool has_answers,
@@ -106,8 +115,7 @@ void check_handout(const Options& options, const std::optional<std::string>& han
 
 void check_page_name(const Options& options, const char* name, const std::string& target) {
     const std::string ending = in_lower_case(std::filesystem::path(target).extension().string());
-    if (target != "-" && ending != ".html" && ending != ".htm")
-        options.refuse(std::string(name) + ": must end in .html, or be - for standard output" + got(target));
+    if (ending != ".html" && ending != ".htm") refuse_file_name(options, name, target, ".html");
 }
 
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text) {

@@ -42,7 +42,7 @@ void check_picture_name(const Options& options, const char* name, const std::str
 /// Refuses options that do not go with --handout or without it. `opens_window`: --present, --step or --notes is given.
 void check_handout(const Options& options, const std::optional<std::string>& handout, bool has_answers,
                    bool opens_window);
-/// Refuses the name of a page unless it ends in .html or is "-".
+/// Refuses the name of a page unless it ends in .html, is "-", or names a device or a pipe.
 void check_page_name(const Options& options, const char* name, const std::string& target);
 
 /// Returns the value of --samples, 0 or 4; nothing if the option was left out.

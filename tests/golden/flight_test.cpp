@@ -32,7 +32,7 @@ protected:
         for (int frame = 0; frame < 5; ++frame) studio.frame({.size_px = size_px, .shows_time = true, .input = input});
         recorder.begin();
         Recorded recorded;
-        for (int frame = 0; frame < testing::trials(16); ++frame) {
+        for (int frame = 0; frame < testing::trials(30); ++frame) {
             input.dt_s = 0.01 + 0.001 * pick(30);
             if (pick(4) == 0) {
                 static constexpr Key keys[] = {Key::w, Key::s, Key::a, Key::d, Key::r, Key::q, Key::left, Key::up};
@@ -69,7 +69,7 @@ TEST_F(FlightPictures, AreByteEqualToTheWindowsPictures) {
     for (const Case& one : {Case{"opening", 1}, Case{"room", 2}, Case{"walkthrough", 3}, Case{"fighting-jiggle", 4}}) {
         SCOPED_TRACE(one.preset);
         const Recorded recorded = fly(one.preset, one.seed, {800, 600});
-        ASSERT_GT(recorded.flight.frames.size(), 10U);
+        ASSERT_GT(recorded.flight.frames.size(), 20U);
         FlightWalk walk(std::make_shared<const Flight>(recorded.flight));
         Params last;
         std::optional<Scene> scene;

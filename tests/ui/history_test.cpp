@@ -103,7 +103,7 @@ TEST(History, ShowingAPresetDoesNotChangeIt) {
         if (!testing::takes(index++)) continue;
         Desk desk({1280, 720}, preset.name);
         const Params before = load_state(preset.name)->params;
-        desk.ui.frames(10);
+        desk.ui.frames(30);
         EXPECT_EQ(differing_fields(before, desk.params()), Paths{}) << preset.name;
         EXPECT_FALSE(desk.session.can_undo()) << preset.name;
     }

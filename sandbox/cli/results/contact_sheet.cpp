@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "text/words.h"
 #include "ui/parts/picture_text.h"
 
 namespace viewing {
@@ -28,8 +29,10 @@ std::size_t level_of(const std::vector<SheetPicture>& pictures) {
 /// Cuts a caption off, with an ellipsis, so that it does not run into the next one.
 std::string fitted(const std::string& caption, int width_px) {
     if (fits(caption, width_px)) return caption;
-    for (std::size_t size = caption.size(); size > 0; --size)
-        if (const std::string cut = caption.substr(0, size - 1) + "…"; fits(cut, width_px)) return cut;
+    for (std::string kept = caption; !kept.empty();) {
+        remove_last_character(kept);
+        if (fits(kept + "…", width_px)) return kept + "…";
+    }
     return "";
 }
 

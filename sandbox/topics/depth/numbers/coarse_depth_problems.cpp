@@ -123,14 +123,13 @@ std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& de
 
 /// Returns the setting of the smallest polygon offset with which certainly no decal in view fights; "" if a small one
 /// is not enough.
-std::string sufficient_offset(const Params& params, const Derived& derived, const Scene& scene,
-                              std::span<const FlatPair> pairs) {
+std::string sufficient_offset(const Params& params, const Derived& derived, std::span<const FlatPair> pairs) {
     constexpr double most_units = 16.0;
     Params moved = params;
     for (double units = 1.0; units <= most_units; units *= 2.0) {
         moved.depth.offset = {-1.0, -units};
         const bool is_enough = std::all_of(pairs.begin(), pairs.end(), [&](const FlatPair& pair) {
-            if (!pair.has_one_decal() || !is_seen(pair, derived, scene)) return true;
+            if (!pair.has_one_decal()) return true;
             const PairPrediction predicted = predict_pair(pair, moved, derived, predicted_size(derived));
             return !predicted.is_seen || (predicted.wrong_share && predicted.wrong_share->most == 0.0);
         });
@@ -182,7 +181,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
     // Where a code is a large part of the distance, a few codes more or less make no difference.
     const bool is_hopeless = worst.needed > 0.05 * worst.distance;
     const std::string fix = is_hopeless      ? ""
-                            : is_decal       ? sufficient_offset(params, derived, scene, pairs)
+                            : is_decal       ? sufficient_offset(params, derived, pairs)
                             : is_near_enough ? near_setting(params.projection, finer.projection.near)
                                              : "";
     tell.broken(worst.pair->gap() == 0.0,

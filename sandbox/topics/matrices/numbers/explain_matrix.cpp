@@ -30,12 +30,12 @@ void describe_reversed(ExplainedMatrix& found, const dmat4& pasted, const StateM
 
 /// Sets the axis of a left-handed V or C that differs from the state's in its sign alone.
 void find_negated_axis(ExplainedMatrix& found, const dmat4& pasted, double tolerance) {
-    const glm::dmat3 axes(pasted), right(*found.right);
+    const dmat4 axes{glm::dmat3(pasted)}, right{glm::dmat3(*found.right)};
     for (int axis = 0; axis < 3; ++axis) {
-        glm::dmat3 flip(1.0);
-        flip[axis][axis] = -1.0;
-        const glm::dmat3 fixed = found.letter == 'V' ? flip * axes : axes * flip;
-        if (is_same(dmat4(fixed), dmat4(right), tolerance)) found.negated_axis = axis;
+        glm::dvec4 signs(1.0);
+        signs[axis] = -1.0;
+        const dmat4 fixed = found.letter == 'V' ? flipped(signs) * axes : axes * flipped(signs);
+        if (is_same(fixed, right, tolerance)) found.negated_axis = axis;
     }
 }
 
